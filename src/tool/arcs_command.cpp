@@ -14,7 +14,7 @@
 #include "usage.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
+#include "../library/chain/slope_integral.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,8 +5,8 @@
 // CGAL's arrangements over the traits: what they are made of, in any order, beside the library's own overlay, and
 // CGAL's algorithms that run on them.
 
-#include "../../src/library/overlay/Overlay.h"
 #include "Arrangement_shape.h"
+#include "arr_functors.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "nudged_drawings.h"
@@ -19,6 +19,7 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/face_area.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Envelope_diagram_1.h>
 #include <CGAL/General_polygon_set_2.h>
@@ -59,15 +60,13 @@ Shape shape_of(const Arrangement& arrangement) {
 }
 
 Shape shape_of_overlay(const Lattice_drawing& drawing) {
-  const ba::Bounding_arc_tree_2 hierarchy(drawing, ba::Decisions::EXACT);
-  const ba::internal::Overlay overlay(hierarchy.in_unit());
-  const auto& cut = overlay.cut();
+  const ba::Overlay_2 overlay = ba::overlay(ba::Bounding_arc_tree_2(drawing));
   Shape shape;
-  shape.faces = overlay.number_of_faces();
-  std::vector<std::size_t> degree(cut.number_of_vertices(), 0);
-  for (std::uint32_t e = 0; e < cut.edges().size(); ++e) {
-    if (!cut.is_representative(e) || cut.edges()[e].first == ba::internal::NO_NUMBER) continue;
-    for (const bool is_start : {true, false}) ++degree[overlay.vertex_at(e, is_start)];
+  shape.faces = overlay.faces.size();
+  std::vector<std::size_t> degree(overlay.vertices.size(), 0);
+  for (const ba::Overlay_edge& e : overlay.edges) {
+    if (!e.from) continue;
+    for (const std::uint32_t end : {*e.from, *e.to}) ++degree[end];
     ++shape.edges_less_vertices;
   }
   shape.edges_less_vertices -= static_cast<std::ptrdiff_t>(degree.size());
@@ -251,9 +250,8 @@ TEST(Arrangements, CarryPolygonSets) {
     return drawing;
   };
   const auto polygon = [](const Lattice_drawing& drawing) {
-    std::vector<ba::Arr_x_monotone_curve_2> parts;
-    for (const auto& c : ba::arr_curves(drawing))
-      for (const auto& p : ba::internal::x_monotone_parts(c)) parts.push_back(p);
+    const std::vector<ba::Arr_x_monotone_curve_2> parts =
+        bounding_arcs_test::arr_curve_traits::parts_of(Traits(), ba::arr_curves(drawing));
     return Polygon_traits::Polygon_2(parts.begin(), parts.end());
   };
   const Lattice_drawing a = disc(0, 0), b = disc(2, 1), c = disc(9, 0);

@@ -199,7 +199,7 @@ void all_intersections(benchmark::State& state, std::size_t n) {
   const ba::Bounding_arc_tree_2 a(copies(n, 0)), b(copies(n, 0.1));
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t found = ba::internal::intersections(a, b).points.size();
+    const std::size_t found = ba::intersections(a, b).points.size();
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     state.counters[REGIONS] = static_cast<double>(found);
   }

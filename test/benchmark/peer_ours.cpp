@@ -38,9 +38,7 @@ double certain(const ba::Bracket& d, double tolerance) { return d.upper - d.lowe
 double axis_radius(const Chain& chain) {
   ba::Drawing_2<double> drawing;
   drawing.add(chain);
-  ba::internal::Axis_job options;
-  options.eps = 1e-6;
-  const ba::Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(std::move(drawing)), options);
+  const ba::Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(std::move(drawing)), 1e-6);
   if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
   double largest = 0;
   for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);
@@ -72,18 +70,18 @@ Peers our_peers(const Peer_cases& cases) {
           {name, CURVES,
            [=, &cases](std::size_t i) {
              const auto& c = cases.crossing[i];
-             return count(ba::internal::intersections((*indices)[c.a], (*indices)[c.b]));
+             return count(ba::intersections((*indices)[c.a], (*indices)[c.b]));
            }},
           {name, DISTANCE,
            [=, &cases](std::size_t i) {
              const auto& c = cases.apart[i];
-             const auto found = ba::internal::distance((*indices)[c.a], (*indices)[c.b], OF_DISTANCE);
+             const auto found = ba::distance((*indices)[c.a], (*indices)[c.b], OF_DISTANCE);
              return certain(found->distance, OF_DISTANCE);
            }},
           {name, HAUSDORFF,
            [=, &cases](std::size_t i) {
              const auto& c = cases.crossing[i];
-             return certain(ba::internal::hausdorff_distance((*indices)[c.a], (*indices)[c.b], OF_HAUSDORFF)->distance,
+             return certain(ba::hausdorff_distance((*indices)[c.a], (*indices)[c.b], OF_HAUSDORFF)->distance,
                             OF_HAUSDORFF);
            }},
           {name, AXIS, [&cases](std::size_t i) { return axis_radius(cases.curves[i]); }}};

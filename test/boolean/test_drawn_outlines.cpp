@@ -9,7 +9,7 @@
 #include "closed_drawings.h"
 #include "outline_checks.h"
 
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+#include "../../src/library/curve/exact_bezier.h"
 
 #include <CGAL/Exact_rational.h>
 

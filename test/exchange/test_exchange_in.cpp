@@ -64,13 +64,13 @@ TEST(ArcBeziers, AreExactlyOnTheCircle) {
 
 TEST(CurvesOfPoints, TakeKernelPointsAndKeepTheirNumbers) {
   const std::vector<Linear_kernel::Point_2> points{{FT(1) / FT(3), FT(0)}, {FT(1), FT(2)}, {FT(4), FT(5), FT(3)}};
-  const auto exact = bezier_of_points<FT>(points, {FT(1), FT(2), FT(1)});
+  const auto exact = Bezier_curve_2<FT>(points, {FT(1), FT(2), FT(1)});
   EXPECT_EQ(exact.control_points()[0].x, FT(FT(1) / FT(3)));
   EXPECT_EQ(exact.weight(1), FT(2));
-  EXPECT_DOUBLE_EQ(bezier_of_points<double>(points).control_points()[0].x, 1.0 / 3);
-  const auto spline = b_spline_of_points<double>(2, points, {0, 0, 0, 1, 1, 1});
+  EXPECT_DOUBLE_EQ(Bezier_curve_2<double>(points).control_points()[0].x, 1.0 / 3);
+  const auto spline = B_spline_curve_2<double>(2, points, {0, 0, 0, 1, 1, 1});
   EXPECT_DOUBLE_EQ(spline.bezier_pieces().front().control_points()[2].y, 5.0 / 3);
-  EXPECT_THROW((void)bezier_of_points<double>(std::vector<Linear_kernel::Point_2>()), std::invalid_argument);
+  EXPECT_THROW((void)Bezier_curve_2<double>(std::vector<Linear_kernel::Point_2>()), std::invalid_argument);
 }
 
 TEST(ArcsOfKernel, RunAsTheKernelsDo) {

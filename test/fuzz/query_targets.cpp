@@ -53,9 +53,9 @@ void query(const std::uint8_t* data, std::size_t size) {
     const ba::Winding_number winding = ba::winding_number(index, q);
     if (decisions == ba::Decisions::EXACT)
       expect(winding.state != ba::Winding_number::State::UNDECIDED, "exact answers are decided");
-    for (const ba::Hull_piece<>& piece : ba::internal::convex_hull(index, bytes.tolerance(extent, -4, 12)).pieces)
-      expect(std::isfinite(piece.from_point.x + piece.to_point.y), "ends are numbers");
-    for (const ba::Intersection_2<>& common : ba::internal::self_intersections(index).points) {
+    for (const auto& piece : ba::convex_hull(index, bytes.tolerance(extent, -4, 12)).pieces)
+      expect(std::isfinite(piece.from_point.x() + piece.to_point.y()), "ends are numbers");
+    for (const auto& common : ba::self_intersections(index).points) {
       expect(common.a.t.lower <= common.a.t.upper && common.b.t.lower <= common.b.t.upper, "a range has an order");
       expect(decisions == ba::Decisions::DOUBLE || common.kind != ba::Intersection_kind::UNDECIDED,
              "exact answers are decided");
@@ -95,13 +95,12 @@ void offset(const std::uint8_t* data, std::size_t size) {
 
 void medial_axis(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::internal::Axis_job options;
+  ba::Medial_axis_options options;
   options.rule = static_cast<ba::Fill_rule>(bytes.choice(2));
   attempt([&] {
     double extent = 0;
     const ba::Bounding_arc_tree_2 index(closed_drawing(bytes, extent));
-    options.eps = bytes.tolerance(extent, -4, 12);
-    const ba::Medial_axis_2 axis = ba::internal::medial_axis(index, options);
+    const ba::Medial_axis_2 axis = ba::medial_axis(index, bytes.tolerance(extent, -4, 12), options);
     if (axis.status != ba::Medial_axis_status::COMPLETE) return;
     for (const ba::Medial_vertex& vertex : axis.vertices)
       expect(std::isfinite(vertex.center.x + vertex.center.y) && vertex.radius >= 0, "a disc has a radius");

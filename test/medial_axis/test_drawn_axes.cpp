@@ -11,7 +11,6 @@
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -137,10 +136,7 @@ void require_whole(const Bounds& bounds, const ba::Medial_axis_2& axis, std::mt1
 }
 
 ba::Medial_axis_2 axis_of_case(const Axis_case& of, double eps) {
-  ba::internal::Axis_job job;
-  static_cast<ba::Medial_axis_options&>(job) = of.options;
-  job.eps = eps;
-  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(of.drawing), job);
+  return ba::medial_axis(ba::Bounding_arc_tree_2(of.drawing), eps, of.options);
 }
 template <class Check> void told_of(const Axis_case& of, const Check& check) {
   try {

@@ -29,7 +29,7 @@ namespace {
 using namespace bounding_arcs_test;
 
 bool crosses(const Drawing& drawing) {
-  const auto common = ba::internal::self_intersections(ba::Bounding_arc_tree_2(drawing));
+  const auto common = ba::self_intersections(ba::Bounding_arc_tree_2(drawing));
   return !common.points.empty() || !common.overlaps.empty();
 }
 // Adds what crosses nothing.
@@ -197,14 +197,15 @@ TEST(CrossingCurves, HaveTheAxisOfWhatTheyFill) {
   // two squares that overlap
   Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
-  ba::internal::Axis_job options;
-  const Medial_axis_2 both = ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
-  expect_sound(drawing, walls_of(drawing, options.rule), both, options.eps, 2e-13);
+  ba::Medial_axis_options options;
+  constexpr double EPS = 1e-6;
+  const Medial_axis_2 both = ba::medial_axis(ba::Bounding_arc_tree_2(drawing), EPS, options);
+  expect_sound(drawing, walls_of(drawing, options.rule), both, EPS, 2e-13);
   EXPECT_EQ(both.regions, 1U);
   EXPECT_EQ(leaves_of(both), 6U);
   EXPECT_NEAR(vertex_at(both, {1, 1}, 1e-6).radius, 1, 1e-6);
   options.rule = ba::Fill_rule::EVEN_ODD;
-  EXPECT_EQ(ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options).regions, 2U);  // they touch at corners
+  EXPECT_EQ(ba::medial_axis(ba::Bounding_arc_tree_2(drawing), EPS, options).regions, 2U);  // they touch at corners
 }
 
 TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
@@ -212,14 +213,13 @@ TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Drawing drawing = random_lattice_drawing(random, 4);
-    ba::internal::Axis_job options;
-    options.eps = 1e-3;
+    ba::Medial_axis_options options;
     options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-    const Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
+    const Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(drawing), 1e-3, options);
     const Drawing walls = walls_of(drawing, options.rule);
     EXPECT_LE(axis.moved, 0x1p-40 * size_of(drawing));
     if (walls.curves().empty()) continue;
-    expect_sound(drawing, walls, axis, options.eps, 1e-12);
+    expect_sound(drawing, walls, axis, 1e-3, 1e-12);
     const ba::Bounding_arc_tree_2 index(drawing);
     expect_whole(walls, axis, random, 8,
                  [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });

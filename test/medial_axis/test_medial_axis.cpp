@@ -197,7 +197,7 @@ TEST(MaximalDisc, TouchesWhatIsAcross) {
   EXPECT_NEAR(disc->touches->t, 0.5, 1e-6);
   EXPECT_NEAR(discs({0, 0, 0.1})->radius, 0.5, 1e-12);  // the corner's bisector
   EXPECT_THROW((void)discs({0, 7, 0.5}), std::invalid_argument);
-  const auto largest = ba::largest_inscribed_disc(index, ba::internal::medial_axis(index));
+  const auto largest = ba::largest_inscribed_disc(index, ba::medial_axis(index, 1e-6));
   EXPECT_LE(largest->radius.lower, 1);
   EXPECT_GE(largest->radius.upper, 1);
   EXPECT_LE(largest->radius.upper - largest->radius.lower, 2e-6);

@@ -96,16 +96,15 @@ TEST(NearEqualDiscs, AreAllKeptOfGridsAndCirclesOfPoints) {
 
 TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
   std::mt19937 random(17);
-  ba::internal::Axis_job options;
-  options.eps = 1e-4;
+  ba::Medial_axis_options options;
   options.rule = ba::Fill_rule::EVEN_ODD;
   for (int i = 0; i < cases(100) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Rounding r = random_rounding(random);
     const Drawing drawing = square_with_holes(random, r.center, r.turn, r.ulps);
     const ba::Bounding_arc_tree_2 index(drawing);
-    const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
-    expect_sound(drawing, axis, options.eps);
+    const Medial_axis_2 axis = ba::medial_axis(index, 1e-4, options);
+    expect_sound(drawing, axis, 1e-4);
     expect_whole(drawing, axis, random, 4,
                  [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
   }

@@ -35,10 +35,9 @@ using ba::Fill_rule;
 using Numbers = std::vector<std::uint32_t>;
 
 Medial_axis_2 axis_under(Fill_rule rule, const Drawing& drawing) {
-  ba::internal::Axis_job job;
-  job.eps = 1e-5;
-  job.rule = rule;
-  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), job);
+  ba::Medial_axis_options options;
+  options.rule = rule;
+  return ba::medial_axis(ba::Bounding_arc_tree_2(drawing), 1e-5, options);
 }
 // Squares about (5, 5), from the outermost one inward, in the direction of each sign.
 Drawing squares(const std::vector<int>& signs) {
@@ -202,12 +201,12 @@ TEST(NestedCurves, HaveMaximalDiscsWhereTheyBoundARegion) {
 
 // In a frame all curves bound, whatever their direction.
 TEST(NestedCurves, BoundInAFrame) {
-  ba::internal::Axis_job job;
-  job.is_framed = true;
+  ba::Medial_axis_options options;
+  options.is_framed = true;
   Drawing nest = squares({-1, 1, 1});  // the first one is the frame
   Drawing framed;
   for (const std::size_t i : {1, 2, 0}) framed.add(nest.curves()[i].beziers);
-  const Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(framed), job);
+  const Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(framed), 1e-6, options);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   EXPECT_TRUE(axis.left_out.empty());
   EXPECT_EQ(axis.regions, 3u);

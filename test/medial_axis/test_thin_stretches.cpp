@@ -195,9 +195,9 @@ TEST(ThinStretches, AreWhatIsBelowTheLimitOfAllStretches) {
 TEST(ThinStretches, OfARoomInAFrameAreGaps) {
   Drawing lines;
   lines.add(Bezier({{0, 0}, {4, 0}})), lines.add(Bezier({{0, 0.3}, {4, 0.3}}));
-  ba::internal::Axis_job job;
-  job.is_framed = true;
-  const Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(ba::framed(lines, 2)), job);
+  ba::Medial_axis_options options;
+  options.is_framed = true;
+  const Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(ba::framed(lines, 2)), 1e-6, options);
   const auto found = ba::thin_stretches(axis, 0.5);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].thickness(), 0.3, 1e-12);

@@ -75,9 +75,8 @@ void expect_alike(const std::string& name, const Drawing& drawing, double angle)
   SCOPED_TRACE(name);
   const double h = SHARE * size_of(drawing);
   const ba::Bounding_arc_tree_2 index(drawing);
-  ba::internal::Axis_job options;
-  options.eps = h / 10;
-  const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
+  const double eps = h / 10;
+  const Medial_axis_2 axis = ba::medial_axis(index, eps);
   const Polyline_voronoi voronoi(drawing, h, angle);
   const Stability& stable = voronoi.stability();
   const double least_radius = stable.least_radius();
@@ -86,8 +85,8 @@ void expect_alike(const std::string& name, const Drawing& drawing, double angle)
   EXPECT_LE(ours.distance, stable.bound() + h);  // parabolas are within h of their pieces
   // Our axis has no kinks, so that all of it is searched in.
   const Compared theirs = compared(voronoi.discs(), pieces_of(axis), index, least_radius);
-  EXPECT_LE(theirs.distance, stable.bound() + options.eps);
-  EXPECT_LE(theirs.radius, theirs.distance + stable.h + 2 * options.eps);  // it changes by no more than the place
+  EXPECT_LE(theirs.distance, stable.bound() + eps);
+  EXPECT_LE(theirs.radius, theirs.distance + stable.h + 2 * eps);  // it changes by no more than the place
   constexpr std::size_t FEW = FEW_CASES ? 100 : 1000;
   EXPECT_GE(ours.count, FEW);
   EXPECT_GE(theirs.count, FEW);

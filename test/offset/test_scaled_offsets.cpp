@@ -86,11 +86,10 @@ Answers offsets(const Drawing& unscaled, double scale) {
 Answers axes(const Drawing& unscaled, double scale) {
   const Drawing drawing = moved(unscaled, scale, {0, 0});
   const Bounding_arc_tree_2 index(drawing);
-  ba::internal::Axis_job options;
-  options.eps = scale * 1e-5;
+  const double eps = scale * 1e-5;
   Answers to;
   to.of("axis");
-  const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
+  const Medial_axis_2 axis = ba::medial_axis(index, eps);
   add(to, axis);
   to.of("pruned axis");
   add(to, ba::pruned(axis, scale * 0.002));
@@ -112,11 +111,12 @@ Answers axes(const Drawing& unscaled, double scale) {
   }
   to.of("bisector");
   const Bezier wall({{scale * -0.2, scale * -0.1}, {scale * 0.2, scale * -0.1}});
-  for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(options.eps))
+  for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(eps))
     for (const auto& s : chain) to.point(s.center), to.length(s.radius), to.number(s.t);
   to.of("axis in a frame");
+  ba::Medial_axis_options options;
   options.is_framed = true;
-  add(to, ba::internal::medial_axis(Bounding_arc_tree_2(ba::framed(drawing, scale * 0.05)), options));
+  add(to, ba::medial_axis(Bounding_arc_tree_2(ba::framed(drawing, scale * 0.05)), eps, options));
   return to;
 }
 

@@ -32,15 +32,22 @@ namespace ba = CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 using Chains = std::vector<ba::Offset_chain>;
 
+// A box about an arc, which is no farther from its chord than the diameter of its circle.
+CGAL::Bbox_2 box_about(const ba::Arc_2& arc) {
+  const ba::Xy<double>&p = arc.from, &q = arc.to;
+  const double far = std::hypot(q.x - p.x, q.y - p.y) * (1 + arc.bulge * arc.bulge);
+  return {std::min(p.x, q.x) - far, std::min(p.y, q.y) - far, std::max(p.x, q.x) + far, std::max(p.y, q.y) + far};
+}
+
 // A loop with its box, and how often it runs round a point.
 struct Loop {
   explicit Loop(const ba::Offset_chain& c) : chain(&c) {
-    for (const auto& p : c.pieces) box += ba::internal::box_about(p.arc);
+    for (const auto& p : c.pieces) box += box_about(p.arc);
   }
   [[nodiscard]] int winding(const ba::Xy<double>& x) const {
     if (x.x < box.xmin() || x.x > box.xmax() || x.y < box.ymin() || x.y > box.ymax()) return 0;
     int sum = 0;
-    for (const auto& p : chain->pieces) sum += ba::internal::winding_of_arc(p.arc, x);
+    for (const auto& p : chain->pieces) sum += winding_of(p.arc, x);
     return sum;
   }
   const ba::Offset_chain* chain;

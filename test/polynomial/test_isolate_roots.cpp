@@ -7,8 +7,7 @@
 
 #include "../support/Sturm.h"
 #include "cases.h"
-
-#include <CGAL/Bounding_arcs_2/polynomial/isolate_roots.h>
+#include "isolate_roots.h"
 
 #include <gtest/gtest.h>
 

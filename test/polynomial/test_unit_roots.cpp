@@ -6,8 +6,8 @@
 
 #include "cases.h"
 
-#include <CGAL/Bounding_arcs_2/polynomial/Integer_polynomial.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
+#include "../../src/library/polynomial/Integer_polynomial.h"
+#include "../../src/library/polynomial/Real_root.h"
 
 #include <gtest/gtest.h>
 

@@ -166,13 +166,13 @@ TEST(ClosestPoint, InACenterIsOneOfMany) {
   EXPECT_LE(r.distance.lower, 3);
   EXPECT_GE(r.distance.upper, 3);
   EXPECT_LE(r.distance.upper - r.distance.lower, 4e-13);
-  EXPECT_EQ(ba::internal::closest_points(index, {1, 2}, 1e-9).size(), 1U);
+  EXPECT_EQ(ba::closest_points(index, {1, 2}, 1e-9).size(), 1U);
   // half of it, and a line behind
   const std::vector<Bezier> whole = circle({0, 0}, 1);
   Drawing half;
   half.add(std::vector<Bezier>{whole[0], whole[1]});
   half.add(segment({-5, -1}, {5, -1}));
-  const auto points = ba::internal::closest_points(Bounding_arc_tree_2(half), {0, 0}, 1e-9);
+  const auto points = ba::closest_points(Bounding_arc_tree_2(half), {0, 0}, 1e-9);
   ASSERT_EQ(points.size(), 2U);
   for (const Closest_point<>& p : points) EXPECT_NEAR(p.distance.lower, 1, 1e-13);
 }
@@ -183,17 +183,17 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
   std::vector<Bezier> chain;
   for (std::size_t i = 0; i < 4; ++i) chain.push_back(segment(c[i], c[(i + 1) % 4]));
   const Bounding_arc_tree_2 square(drawing_of(chain));
-  EXPECT_EQ(ba::internal::closest_points(square, {0, 0}, 1e-9).size(), 4U);
-  EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 0.01).size(), 1U);
-  EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 0.2).size(), 3U);
-  EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 10).size(), 4U);
-  const auto corner = ba::internal::closest_points(square, {2, 2}, 10);
+  EXPECT_EQ(ba::closest_points(square, {0, 0}, 1e-9).size(), 4U);
+  EXPECT_EQ(ba::closest_points(square, {0.125, 0}, 0.01).size(), 1U);
+  EXPECT_EQ(ba::closest_points(square, {0.125, 0}, 0.2).size(), 3U);
+  EXPECT_EQ(ba::closest_points(square, {0.125, 0}, 10).size(), 4U);
+  const auto corner = ba::closest_points(square, Point{2, 2}, 10);
   ASSERT_EQ(corner.size(), 1U);
   EXPECT_EQ(corner[0].point, c[0]);
-  EXPECT_EQ(ba::internal::closest_points(square, {3, 0.5}, 10).size(), 2U);
+  EXPECT_EQ(ba::closest_points(square, {3, 0.5}, 10).size(), 2U);
   // ends of an open curve
   const Bounding_arc_tree_2 line(drawing_of(segment({-1, 0}, {1, 0})));
-  EXPECT_EQ(ba::internal::closest_points(line, {5, 1}, 100).size(), 1U);
+  EXPECT_EQ(ba::closest_points(line, {5, 1}, 100).size(), 1U);
   // an ellipse from a point of its longer axis: two feet, and the end of the axis behind
   std::vector<Bezier> ellipse;
   for (const Bezier& b : circle({0, 0}, 1)) {
@@ -202,10 +202,10 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
     ellipse.emplace_back(p, b.weights());
   }
   const Bounding_arc_tree_2 oval(drawing_of(ellipse));
-  EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 0.1).size(), 2U);
-  EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 1).size(), 2U);
-  EXPECT_EQ(ba::internal::closest_points(oval, {1.75, 0}, 1e-6).size(), 1U);
-  EXPECT_EQ(ba::internal::closest_points(oval, {0, 0}, 1e-6).size(), 2U);
+  EXPECT_EQ(ba::closest_points(oval, {0.5, 0}, 0.1).size(), 2U);
+  EXPECT_EQ(ba::closest_points(oval, {0.5, 0}, 1).size(), 2U);
+  EXPECT_EQ(ba::closest_points(oval, {1.75, 0}, 1e-6).size(), 1U);
+  EXPECT_EQ(ba::closest_points(oval, {0, 0}, 1e-6).size(), 2U);
 }
 
 // Newton's steps end within 2^-20 of the end of a piece, but nearer than that end, or a curve turns within as much.
@@ -213,7 +213,7 @@ TEST(ClosestPoints, AreThereNextToACut) {
   const auto expect_nearest_first = [](const Bezier& curve, const Point& q, double eps) {
     const Bounding_arc_tree_2 index(drawing_of(curve));
     const double nearest = ba::closest_point(index, q)->distance.upper;
-    const auto points = ba::internal::closest_points(index, q, eps);
+    const auto points = ba::closest_points(index, q, eps);
     ASSERT_FALSE(points.empty());
     EXPECT_EQ(points.front().distance.upper, nearest);
   };
@@ -236,7 +236,7 @@ TEST(ClosestPoints, AreAsManyAsSamplesHave) {
     const Bounding_arc_tree_2 index(drawing_of(chain));
     const Point q{unit(random), unit(random)};
     const double tolerance = 0.5 * std::fabs(unit(random)) + 0.01;
-    const auto found = ba::internal::closest_points(index, q, tolerance);
+    const auto found = ba::closest_points(index, q, tolerance);
     std::vector<double> distance;
     for (const Bezier& b : chain)
       for (int k = 0; k < SAMPLES; ++k) {
@@ -283,7 +283,7 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
     std::vector<double> sorted = distance;
     std::sort(sorted.begin(), sorted.end());
     for (const std::size_t k : {std::size_t(1), std::size_t(3), count, count + 5}) {
-      const auto found = ba::internal::k_nearest_curves(index, q, k);
+      const auto found = ba::k_nearest_curves(index, q, k);
       ASSERT_EQ(found.size(), (std::min)(k, count));
       for (std::size_t j = 0; j < found.size(); ++j) {
         EXPECT_NEAR(found[j].distance.upper, sorted[j], 1e-13);
@@ -292,9 +292,8 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
       }
     }
   }
-  EXPECT_TRUE(ba::internal::k_nearest_curves(Bounding_arc_tree_2(Drawing()), {0, 0}, 3).empty());
-  EXPECT_TRUE(
-      ba::internal::k_nearest_curves(Bounding_arc_tree_2(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
+  EXPECT_TRUE(ba::k_nearest_curves(Bounding_arc_tree_2(Drawing()), {0, 0}, 3).empty());
+  EXPECT_TRUE(ba::k_nearest_curves(Bounding_arc_tree_2(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
 }
 
 // Of so many pieces all over a square, each a little larger than its share of it.
@@ -328,8 +327,8 @@ TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
 }
 
 template <class Tag> void expect_all_of(const Bounding_arc_tree_2& index, const std::vector<Point>& points) {
-  const auto found = ba::internal::closest_points_of_all<Tag>(index, {points.begin(), points.end()});
-  const auto plain = ba::internal::closest_points_of_all(index, {points.begin(), points.end()});
+  const auto found = ba::closest_points_of_all<Tag>(index, points);
+  const auto plain = ba::closest_points_of_all(index, points);
   ASSERT_EQ(found.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Closest_point<> one = *ba::closest_point(index, points[i]);
@@ -354,7 +353,7 @@ TEST(ClosestPointsOfAll, AreThoseOfEach) {
     expect_all_of<CGAL::Parallel_tag>(index, points);
 #endif
   }
-  EXPECT_TRUE(ba::internal::closest_points_of_all(Bounding_arc_tree_2(Drawing()), {{0, 0}}).empty());
+  EXPECT_TRUE(ba::closest_points_of_all(Bounding_arc_tree_2(Drawing()), std::vector<Point>{{0, 0}}).empty());
 }
 
 TEST(ClosestPoint, RefusesNumbersThatAreNone) {
@@ -363,14 +362,14 @@ TEST(ClosestPoint, RefusesNumbersThatAreNone) {
   for (const Point& q : {Point{nan, 0}, Point{0, HUGE_VAL}, Point{-HUGE_VAL, nan}}) {
     EXPECT_THROW((void)ba::closest_point(index, q), std::invalid_argument);
     EXPECT_THROW((void)ba::closest_point(none, q), std::invalid_argument);
-    EXPECT_THROW((void)ba::internal::closest_points(index, q, 1), std::invalid_argument);
-    EXPECT_THROW((void)ba::internal::k_nearest_curves(index, q, 1), std::invalid_argument);
-    EXPECT_THROW((void)ba::internal::closest_points_of_all(index, {{0, 0}, q}), std::invalid_argument);
+    EXPECT_THROW((void)ba::closest_points(index, q, 1), std::invalid_argument);
+    EXPECT_THROW((void)ba::k_nearest_curves(index, q, 1), std::invalid_argument);
+    EXPECT_THROW((void)ba::closest_points_of_all(index, std::vector<Point>{{0, 0}, q}), std::invalid_argument);
   }
   for (const double tolerance : {0.0, -1.0, nan, HUGE_VAL})
-    EXPECT_THROW((void)ba::internal::closest_points(index, {0, 0}, tolerance), std::invalid_argument);
+    EXPECT_THROW((void)ba::closest_points(index, {0, 0}, tolerance), std::invalid_argument);
   EXPECT_FALSE(ba::closest_point(none, {0, 0}));
-  EXPECT_TRUE(ba::internal::closest_points(none, {0, 0}, 1).empty());
+  EXPECT_TRUE(ba::closest_points(none, {0, 0}, 1).empty());
 }
 
 }  // namespace

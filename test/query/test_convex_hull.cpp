@@ -6,12 +6,11 @@
 
 #include "cases.h"
 #include "closed_drawings.h"
+#include "convex_polygon.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Hull_outline.h>
-#include <CGAL/Bounding_arcs_2/query/internal/polygon_measures.h>
 
 #include <gtest/gtest.h>
 
@@ -73,7 +72,7 @@ void expect_hull(const Bounding_arc_tree_2& index, const Convex_hull<>& hull, do
       EXPECT_EQ(p.from.bezier, p.to.bezier) << name;
     }
   }
-  const Points chain = outline(index, hull), convex = ba::internal::convex_polygon(chain);
+  const Points chain = outline(index, hull), convex = convex_polygon(chain);
   for (const Point& q : sampled_points(index, 40)) {
     double out = 0;
     for (std::size_t i = 0; i < convex.size() && convex.size() > 2; ++i) {
@@ -95,7 +94,7 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
   for (int i = 0; i < cases(1000); ++i) {
     const Placing& place = places[i % 5];
     const Bounding_arc_tree_2 index(random_lattice_drawing(random, 5, place));
-    const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6 * place.scale);
+    const Convex_hull<> hull = ba::convex_hull(index, 1e-6 * place.scale);
     EXPECT_LE(hull.height, 1.01e-6 * place.scale + 1e-13 * std::fabs(place.y) * 100);
     expect_hull(index, hull, 5e-3 * place.scale, "drawing " + std::to_string(i));
     for (const Hull_piece<>& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
@@ -109,20 +108,20 @@ TEST(ConvexHull, OfOneCircleIsTheCircle) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 1, 2}));
   const Bounding_arc_tree_2 index(drawing);
-  const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
+  const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   for (const Hull_piece<>& p : hull.pieces) {
     EXPECT_EQ(p.kind, Kind::CURVE);
     EXPECT_EQ(p.from.t, 0);
     EXPECT_EQ(p.to.t, 1);
   }
-  const auto circle = ba::internal::smallest_enclosing_circle(index, 1e-9);
+  const auto circle = ba::smallest_enclosing_circle(index, 1e-9);
   ASSERT_TRUE(circle);
   EXPECT_LE(circle->radius.lower, 5);
   EXPECT_GE(circle->radius.upper, 5);
   EXPECT_LT(circle->radius.upper - circle->radius.lower, 1e-9);
-  const auto width = ba::internal::width(index, 1e-7);
-  const auto diameter = ba::internal::diameter(index, 1e-7);
+  const auto width = ba::width(index, 1e-7);
+  const std::optional<ba::Diameter_of_drawing<>> diameter = ba::diameter(index, 1e-7);
   ASSERT_TRUE(width && diameter);
   for (const ba::Measure_bounds& b : {width->width, diameter->diameter}) {
     EXPECT_LE(b.lower, 10);
@@ -140,7 +139,7 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
   drawing.add(circle_of_quarters({1, 8, 0}));
   const Bounding_arc_tree_2 index(drawing);
   for (const double tolerance : {1e-2, 1e-5}) {
-    const Convex_hull<> hull = ba::internal::convex_hull(index, tolerance);
+    const Convex_hull<> hull = ba::convex_hull(index, tolerance);
     const double high = std::sqrt(3.0) / 2;
     int found = 0;
     for (const Hull_piece<>& p : hull.pieces) {
@@ -158,12 +157,12 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
     // three quarters and two parts of the large one, parts of the small one
     EXPECT_EQ(hull.pieces.size(), 2U + 4U + 2U);
   }
-  EXPECT_NEAR(ba::internal::diameter(index, 1e-9)->diameter.lower, 14, 1e-9);
-  EXPECT_NEAR(ba::internal::width(index, 1e-6)->width.upper, 10, 1e-6);
-  const auto circle = ba::internal::smallest_enclosing_circle(index, 1e-10);
+  EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.lower, 14, 1e-9);
+  EXPECT_NEAR(ba::width(index, 1e-6)->width.upper, 10, 1e-6);
+  const auto circle = ba::smallest_enclosing_circle(index, 1e-10);
   EXPECT_NEAR(circle->radius.lower, 7, 1e-10);
   EXPECT_NEAR(circle->radius.upper, 7, 1e-10);
-  EXPECT_NEAR(circle->center.x, 2, 1e-9);
+  EXPECT_NEAR(circle->center.x(), 2, 1e-9);
 }
 
 TEST(ConvexHull, LeavesOutWhatIsHollow) {
@@ -171,7 +170,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
   drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {2, 2}}),
                Lattice_curve({{2, 2}, {1, 0}, {0, 2}}), Lattice_curve({{0, 2}, {0, 0}})});
   const Bounding_arc_tree_2 index(drawing);
-  const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
+  const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   int bitangents = 0;
   for (const Hull_piece<>& p : hull.pieces)
@@ -181,9 +180,9 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
       EXPECT_EQ(p.to_point, (Point{0, 2}));
     }
   EXPECT_EQ(bitangents, 1);
-  EXPECT_NEAR(ba::internal::width(index, 1e-9)->width.lower, 2, 1e-9);
-  EXPECT_NEAR(ba::internal::diameter(index, 1e-9)->diameter.upper, std::sqrt(8.0), 1e-9);
-  EXPECT_NEAR(ba::internal::smallest_enclosing_circle(index, 1e-9)->radius.upper, std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(ba::width(index, 1e-9)->width.lower, 2, 1e-9);
+  EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.upper, std::sqrt(8.0), 1e-9);
+  EXPECT_NEAR(ba::smallest_enclosing_circle(index, 1e-9)->radius.upper, std::sqrt(2.0), 1e-9);
 }
 
 // One segment, lower than the tolerance: its samples are corners of the polygon next to each other.
@@ -194,7 +193,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
                  Lattice_curve({{0, 1}, {0, 0}})});
     const Bounding_arc_tree_2 index(drawing);
     ASSERT_EQ(index.in_unit().number_of_segments(), 3U);
-    const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
+    const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
     ASSERT_EQ(hull.pieces.size(), 3U);
     for (const Hull_piece<>& p : hull.pieces) {
       const bool is_hollow = depth > 0 && p.from_point == Point{2, 0};
@@ -205,29 +204,29 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
 
 TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
   const Bounding_arc_tree_2 none{ba::Drawing_2<double>()};
-  EXPECT_TRUE(ba::internal::convex_hull(none, 1e-3).pieces.empty());
-  EXPECT_FALSE(ba::internal::width(none, 0));
-  EXPECT_FALSE(ba::internal::diameter(none, 0));
-  EXPECT_FALSE(ba::internal::smallest_enclosing_circle(none, 0));
-  EXPECT_THROW((void)ba::internal::convex_hull(none, -1), std::invalid_argument);
+  EXPECT_TRUE(ba::convex_hull(none, 1e-3).pieces.empty());
+  EXPECT_FALSE(ba::width(none, 0));
+  EXPECT_FALSE(ba::diameter(none, 0));
+  EXPECT_FALSE(ba::smallest_enclosing_circle(none, 0));
+  EXPECT_THROW((void)ba::convex_hull(none, -1), std::invalid_argument);
   ba::Drawing_2<double> point;
   point.add(Lattice_curve({{4, 5}, {4, 5}}));
   const Bounding_arc_tree_2 single(point);
-  ASSERT_EQ(ba::internal::convex_hull(single, 0).pieces.size(), 1U);
-  EXPECT_EQ(ba::internal::convex_hull(single, 0).pieces[0].to_point, (Point{4, 5}));
-  EXPECT_LE(ba::internal::width(single, 0)->width.upper, 1e-12);
-  EXPECT_LE(ba::internal::diameter(single, 0)->diameter.upper, 1e-12);
-  EXPECT_LE(ba::internal::smallest_enclosing_circle(single, 0)->radius.upper, 1e-12);
+  ASSERT_EQ(ba::convex_hull(single, 0).pieces.size(), 1U);
+  EXPECT_EQ(ba::convex_hull(single, 0).pieces[0].to_point, ba::Default_kernel::Point_2(4, 5));
+  EXPECT_LE(ba::width(single, 0)->width.upper, 1e-12);
+  EXPECT_LE(ba::diameter(single, 0)->diameter.upper, 1e-12);
+  EXPECT_LE(ba::smallest_enclosing_circle(single, 0)->radius.upper, 1e-12);
   ba::Drawing_2<double> line;
   line.add(Lattice_curve({{0, 0}, {2, 2}, {3, 3}}));
   const Bounding_arc_tree_2 straight(line);
-  const Convex_hull<> both = ba::internal::convex_hull(straight, 0);
+  const Convex_hull<> both = ba::convex_hull(straight, 0);
   ASSERT_EQ(both.pieces.size(), 2U);
   EXPECT_EQ(both.pieces[0].kind, Kind::CURVE);
   EXPECT_EQ(both.pieces[0].from_point, both.pieces[1].to_point);
-  EXPECT_LE(ba::internal::width(straight, 0)->width.upper, 1e-12);
-  EXPECT_NEAR(ba::internal::diameter(straight, 0)->diameter.lower, std::sqrt(18.0), 1e-12);
-  EXPECT_NEAR(ba::internal::smallest_enclosing_circle(straight, 0)->radius.lower, std::sqrt(4.5), 1e-12);
+  EXPECT_LE(ba::width(straight, 0)->width.upper, 1e-12);
+  EXPECT_NEAR(ba::diameter(straight, 0)->diameter.lower, std::sqrt(18.0), 1e-12);
+  EXPECT_NEAR(ba::smallest_enclosing_circle(straight, 0)->radius.lower, std::sqrt(4.5), 1e-12);
 }
 
 // How far a hull's chain reaches in a direction: parts of curves turn to one side, so that thirds find the farthest.
@@ -255,10 +254,9 @@ TEST(ConvexHull, KeepsPartsWholeAtFineTolerances) {
     const Bounding_arc_tree_2 index(drawing);
     const Scanned_drawing curves(drawing);
     for (const double tolerance : {1e-8, 1e-12, 0.0}) {
-      const ba::internal::Hull_outline outline(index.in_unit(), tolerance);
-      EXPECT_FALSE(outline.is_limited()) << i;
-      EXPECT_LE(outline.pieces().size(), 200 * index.in_unit().number_of_segments()) << i;
-      const Convex_hull<> hull = ba::internal::convex_hull(index, tolerance);
+      const Convex_hull<> hull = ba::convex_hull(index, tolerance);
+      EXPECT_NE(hull.status, ba::Query_status::LIMIT_REACHED) << i;
+      EXPECT_LE(hull.pieces.size(), 4 * index.in_unit().number_of_segments()) << i;
       EXPECT_LE(hull.height, tolerance + 300 * error_of(index)) << i;
       for (int k = 0; k < 7; ++k) {
         const Real angle = 0.9L * k + 0.01L * i;
@@ -275,7 +273,7 @@ TEST(ConvexHull, KeepsPartsWholeAtFineTolerances) {
 TEST(ConvexHull, EndsForACurveTracedTwice) {
   const Bezier curve({{-0.5, -1.5}, {-1.5, 1}, {0.5, -1.5}, {-1.5, 1}, {-0.5, -1.5}});
   const Bounding_arc_tree_2 curves(drawing_of(curve), ba::Decisions::DOUBLE);
-  const auto hull = ba::internal::convex_hull(curves, 1e-15);
+  const auto hull = ba::convex_hull(curves, 1e-15);
   EXPECT_EQ(hull.status, ba::Query_status::LIMIT_REACHED);
   EXPECT_LT(hull.height, 1e-10);
 }

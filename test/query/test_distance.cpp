@@ -7,8 +7,8 @@
 #include "cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
+#include "../../src/library/query/Distance_search.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ void expect_bracket(const Drawing& a, const Drawing& b, double tolerance, Real s
   const Bounding_arc_tree_2 index_a(a), index_b(b);
   constexpr double TINY = 1e-300;  // of curves that meet
   const double eps = tolerance * static_cast<double>(scanned) + TINY;
-  const auto r = ba::internal::distance(index_a, index_b, eps);
+  const std::optional<ba::Drawing_distance<>> r = ba::distance(index_a, index_b, eps);
   ASSERT_TRUE(r);
   // of high degrees, points of curves are known less well
   const double rounding =
@@ -92,8 +92,8 @@ TEST(Distance, OfCirclesIsKnown) {
     const Point p{4 * unit(random), 4 * unit(random)}, q{4 * unit(random), 4 * unit(random)};
     const Real apart = length(widened(p) - widened(q));
     const Real distance = (std::max)({apart - r - s, r - s - apart, s - r - apart, Real(0)});
-    const auto d = ba::internal::distance(Bounding_arc_tree_2(drawing_of(circle(p, r))),
-                                          Bounding_arc_tree_2(drawing_of(circle(q, s))));
+    const auto d =
+        ba::distance(Bounding_arc_tree_2(drawing_of(circle(p, r))), Bounding_arc_tree_2(drawing_of(circle(q, s))));
     // the control points of a circle are rounded, which moves it by less
     const double rounding = 1e-13 * (8 + r + s);
     EXPECT_LE(d->distance.lower, distance + rounding) << i;
@@ -104,17 +104,17 @@ TEST(Distance, OfCirclesIsKnown) {
 
 TEST(Distance, OfCurvesAtOneDistanceEnds) {
   const Bounding_arc_tree_2 one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({0, 0}, 2)));
-  const auto d = ba::internal::distance(one, two);
+  const auto d = ba::distance(one, two);
   EXPECT_NEAR(d->distance.upper, 1, 1e-13);
   EXPECT_NEAR(d->distance.lower, 1, 1e-12);
   const Bounding_arc_tree_2 low(drawing_of(segment({0, 0}, {5, 1}))), high(drawing_of(segment({-1, 2}, {9, 4})));
-  EXPECT_NEAR(ba::internal::distance(low, high)->distance.lower, std::sqrt(11.0 * 11 / 26), 1e-12);
-  EXPECT_NEAR(ba::internal::distance(low, high)->distance.upper, std::sqrt(11.0 * 11 / 26), 1e-12);
+  EXPECT_NEAR(ba::distance(low, high)->distance.lower, std::sqrt(11.0 * 11 / 26), 1e-12);
+  EXPECT_NEAR(ba::distance(low, high)->distance.upper, std::sqrt(11.0 * 11 / 26), 1e-12);
   // a parabola and itself, moved, which crosses it in the middle
   const Bounding_arc_tree_2 parabola(drawing_of(Bezier({{-1, 1}, {0, -1}, {1, 1}}))),
       beside(drawing_of(Bezier({{-1 + 1e-3, 1}, {0 + 1e-3, -1}, {1 + 1e-3, 1}})));
-  EXPECT_EQ(ba::internal::distance(parabola, beside)->distance.lower, 0);
-  EXPECT_LE(ba::internal::distance(parabola, beside)->distance.upper, 2e-13);
+  EXPECT_EQ(ba::distance(parabola, beside)->distance.lower, 0);
+  EXPECT_LE(ba::distance(parabola, beside)->distance.upper, 2e-13);
 }
 
 // One spiral segment, bent away from a line: in its middle the distance stands still, and is largest.
@@ -123,7 +123,7 @@ TEST(Distance, IsOfTheEndOfAnArch) {
       line(drawing_of(segment({-3, 2.04}, {2, -3.06})));  // 1.02 x + y = -1.02
   ASSERT_EQ(arch.in_unit().number_of_segments(), 1U);
   const double least = 2.02 / std::hypot(1.02, 1.0);  // of (0, 1)
-  for (const auto& d : {ba::internal::distance(arch, line), ba::internal::distance(line, arch)}) {
+  for (const auto& d : {ba::distance(arch, line), ba::distance(line, arch)}) {
     EXPECT_NEAR(d->distance.lower, least, 1e-11);
     EXPECT_NEAR(d->distance.upper, least, 1e-11);
   }
@@ -136,7 +136,7 @@ TEST(Distance, IsNothingOfCurvesThatMeet) {
     const auto parts = curve.split(0.25 + 0.5 * (i % 10) / 10);
     const Bounding_arc_tree_2 whole(drawing_of(curve)), first(drawing_of(parts.first)), last(drawing_of(parts.second));
     for (const auto& [a, b] : {std::pair(&whole, &whole), std::pair(&first, &last), std::pair(&whole, &last)}) {
-      const auto d = ba::internal::distance(*a, *b);
+      const auto d = ba::distance(*a, *b);
       EXPECT_EQ(d->distance.lower, 0);
       EXPECT_LE(d->distance.upper, 4e-13 * size_of(drawing_of(curve)));
     }
@@ -145,8 +145,8 @@ TEST(Distance, IsNothingOfCurvesThatMeet) {
   const Bounding_arc_tree_2 one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({3, 0}, 2))),
       inner(drawing_of(circle({0.5, 0}, 0.5))), line(drawing_of(segment({1, -3}, {1, 5})));
   for (const auto* other : {&two, &inner, &line, &one}) {
-    EXPECT_EQ(ba::internal::distance(one, *other)->distance.lower, 0);
-    EXPECT_LE(ba::internal::distance(one, *other)->distance.upper, 2e-13);
+    EXPECT_EQ(ba::distance(one, *other)->distance.lower, 0);
+    EXPECT_LE(ba::distance(one, *other)->distance.upper, 2e-13);
   }
 }
 
@@ -185,19 +185,19 @@ TEST(Distance, LooksAtAsManyPairsAsTheLogarithmOfTheNumberOfPieces) {
 TEST(Distance, IsOfPointsAndOfNothing) {
   const Bounding_arc_tree_2 none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
       origin(drawing_of(Bezier({{0, 0}, {0, 0}}))), line(drawing_of(segment({-9, 1}, {9, 1})));
-  EXPECT_FALSE(ba::internal::distance(none, point));
-  EXPECT_FALSE(ba::internal::distance(point, none));
-  EXPECT_FALSE(ba::internal::distance(none, none));
-  EXPECT_NEAR(ba::internal::distance(point, origin)->distance.lower, 5, 1e-13);
-  EXPECT_NEAR(ba::internal::distance(point, origin)->distance.upper, 5, 1e-13);
-  EXPECT_NEAR(ba::internal::distance(point, line)->distance.lower, 3, 1e-13);
-  EXPECT_EQ(ba::internal::distance(point, point)->distance.lower, 0);
+  EXPECT_FALSE(ba::distance(none, point));
+  EXPECT_FALSE(ba::distance(point, none));
+  EXPECT_FALSE(ba::distance(none, none));
+  EXPECT_NEAR(ba::distance(point, origin)->distance.lower, 5, 1e-13);
+  EXPECT_NEAR(ba::distance(point, origin)->distance.upper, 5, 1e-13);
+  EXPECT_NEAR(ba::distance(point, line)->distance.lower, 3, 1e-13);
+  EXPECT_EQ(ba::distance(point, point)->distance.lower, 0);
 }
 
 TEST(Distance, RefusesTolerancesThatAreNone) {
   const Bounding_arc_tree_2 origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
-    EXPECT_THROW((void)ba::internal::distance(origin, origin, tolerance), std::invalid_argument);
+    EXPECT_THROW((void)ba::distance(origin, origin, tolerance), std::invalid_argument);
   }
 }
 

@@ -7,7 +7,7 @@
 #include "cases.h"
 #include "exact_curves.h"
 
-#include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
+#include "../../src/library/query/exact_meetings.h"
 
 #include <cmath>
 

@@ -9,8 +9,6 @@
 #include "extreme_pairs.h"
 
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
-#include <CGAL/Bounding_arcs_2/query/Distance_search.h>
-#include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
@@ -21,6 +19,8 @@
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
+#include "../../src/library/query/Distance_search.h"
+#include "../../src/library/query/Hausdorff_search.h"
 
 #include <gtest/gtest.h>
 
@@ -36,8 +36,8 @@ namespace test_extreme_pairs {
 using namespace bounding_arcs_test;
 using ba::Bounding_arc_tree_2;
 using ba::Decisions;
+using ba::intersections;
 using ba::Query_status;
-using ba::internal::intersections;
 
 Bounding_arc_tree_2 index_of(const Bezier& curve) { return Bounding_arc_tree_2(drawing_of(curve), Decisions::DOUBLE); }
 std::string name_of(const Curve_pair& pair) { return json_of(pair.a) + "\n" + json_of(pair.b); }
@@ -116,19 +116,18 @@ TEST(ExtremePairs, EndWithinTheirLimits) {
     const Point q = pair.b.control_points().front();
     const auto nearest = ba::closest_point(a, q)->distance;
     EXPECT_LE(nearest.lower, nearest.upper) << name;
-    const auto all = ba::internal::closest_points(a, q, eps);
+    const auto all = ba::closest_points(a, q, eps);
     ASSERT_FALSE(all.empty()) << name;
     EXPECT_LE(all.front().distance.lower, nearest.upper) << name;
     static_cast<void>(intersections(a, b));
-    static_cast<void>(ba::internal::self_intersections(a));
-    static_cast<void>(ba::internal::ray_hits(a, q, {1, 0.3}));
-    for (const ba::Measure_bounds& m :
-         {ba::length(a, eps), ba::internal::width(a, eps)->width, ba::internal::diameter(a, eps)->diameter,
-          ba::internal::smallest_enclosing_circle(a, eps)->radius}) {
+    static_cast<void>(ba::self_intersections(a));
+    static_cast<void>(ba::ray_hits(a, q, {1, 0.3}));
+    for (const ba::Measure_bounds& m : {ba::length(a, eps), ba::width(a, eps)->width, ba::diameter(a, eps)->diameter,
+                                        ba::smallest_enclosing_circle(a, eps)->radius}) {
       expect_bracket(m, m.status, eps, name);
       measures.add(m.status);
     }
-    static_cast<void>(ba::internal::convex_hull(a, eps));
+    static_cast<void>(ba::convex_hull(a, eps));
     if (HasFailure()) return;
   }
   std::cout << "distances: " << distances << "\nHausdorff distances: " << farthest << "\nmeasures: " << measures
@@ -146,10 +145,10 @@ TEST(ExtremePairs, HaveBracketsThatHoldWhatManyDigitsTell) {
     const Precise_curve curve_a(pair.a), curve_b(pair.b);
     const std::string name = name_of(pair);
     const double size = size_of(pair), eps = 1e-7 * size, room = ROUNDING * size;
-    const auto least = ba::internal::distance(a, b);
+    const auto least = ba::distance(a, b);
     EXPECT_LE(curve_a.at(least->a.place.t).distance(curve_b.at(least->b.place.t)), least->distance.upper + room)
         << name;
-    const auto most = ba::internal::directed_hausdorff_distance(a, b, eps);
+    const auto most = ba::directed_hausdorff_distance(a, b, eps);
     EXPECT_GE(curve_b.distance(curve_a.at(most->a.place.t)), most->distance.lower - room) << name;
     const std::size_t step = curve_a.places().size() / 10;
     for (std::size_t k = static_cast<std::size_t>(i) % step; k < curve_a.places().size(); k += step) {
@@ -179,7 +178,7 @@ TEST(ExtremePairs, HaveFeetBesideATurnWithinAnUlp) {
     EXPECT_LE(found->distance.lower, 0.4 * std::sqrt(2.0) + 1e-14) << i;
     EXPECT_GE(found->distance.upper, 0.4 * std::sqrt(2.0) - 1e-14) << i;
     // of two pieces, too
-    const auto least = ba::internal::distance(curves, index_of(Bezier({q, q + Point{-1, -1}})));
+    const auto least = ba::distance(curves, index_of(Bezier({q, q + Point{-1, -1}})));
     EXPECT_LE(least->distance.lower, 0.4 * std::sqrt(2.0) + 1e-14) << i;
   }
 }

@@ -5,6 +5,7 @@
 // Every query on the list of hard cases, beside what is known of them and scans in long double.
 
 #include "cases.h"
+#include "convex_polygon.h"
 #include "hard_cases.h"
 #include "query_drawings.h"
 
@@ -13,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
-#include <CGAL/Bounding_arcs_2/query/internal/polygon_measures.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -34,7 +34,7 @@ using namespace bounding_arcs_test;
 using ba::Bounding_arc_tree_2;
 using ba::Intersection_kind;
 using Json = nlohmann::json;
-using ba::internal::intersections;
+using ba::intersections;
 
 template <class Check> void for_each_case(const char* key, const Check& check) {
   std::size_t checked = 0;
@@ -94,7 +94,7 @@ TEST(HardCases, HaveTheKnownIntersections) {
     const bool do_meet = !c.expected["common"].empty() || c.expected["overlaps"] != 0;
     EXPECT_EQ(ba::do_intersect(a, b), do_meet);
     if (!c.expected.contains("self")) return;
-    const ba::Intersections_2<> own = ba::internal::self_intersections(a);
+    const ba::Intersections_2<> own = ba::self_intersections(a);
     EXPECT_EQ(own.points.size(), c.expected["self"].get<std::size_t>());
     EXPECT_TRUE(own.overlaps.empty());
   });
@@ -134,8 +134,8 @@ TEST(HardCases, OfExactNumbersAreTheSame) {
     const Bounding_arc_tree_2 a(ba::drawing<CGAL::Exact_rational>({c.records.begin(), middle})),
         b(ba::drawing<CGAL::Exact_rational>({middle, c.records.end()}));
     if (c.expected.contains("common")) expect_common(intersections(a, b), c.a, c);
-    const auto exact = ba::internal::distance(a, b)->distance,
-               filtered = ba::internal::distance(Bounding_arc_tree_2(c.a), Bounding_arc_tree_2(c.b))->distance;
+    const auto exact = ba::distance(a, b)->distance,
+               filtered = ba::distance(Bounding_arc_tree_2(c.a), Bounding_arc_tree_2(c.b))->distance;
     EXPECT_LE(exact.lower, filtered.upper);
     EXPECT_LE(filtered.lower, exact.upper);
   }
@@ -145,12 +145,12 @@ TEST(HardCases, HaveTheKnownDistances) {
   for_each_case("distance", [](const Hard_case& c) {
     const Bounding_arc_tree_2 a(c.a), b(c.b);
     const double d = c.expected["distance"].get<double>() * c.at.scale;
-    expect_holds(ba::internal::distance(a, b)->distance, d, 1e-12 * d + rounding(c));
-    expect_holds(ba::internal::distance(b, a)->distance, d, 1e-12 * d + rounding(c));
+    expect_holds(ba::distance(a, b)->distance, d, 1e-12 * d + rounding(c));
+    expect_holds(ba::distance(b, a)->distance, d, 1e-12 * d + rounding(c));
     if (!c.expected.contains("hausdorff")) return;
     const double h = c.expected["hausdorff"].get<double>() * c.at.scale, tolerance = 1e-6 * c.at.scale;
-    expect_holds(ba::internal::hausdorff_distance(a, b, tolerance)->distance, h, 1.001 * tolerance + rounding(c));
-    expect_holds(ba::internal::hausdorff_distance(b, a, tolerance)->distance, h, 1.001 * tolerance + rounding(c));
+    expect_holds(ba::hausdorff_distance(a, b, tolerance)->distance, h, 1.001 * tolerance + rounding(c));
+    expect_holds(ba::hausdorff_distance(b, a, tolerance)->distance, h, 1.001 * tolerance + rounding(c));
   });
 }
 
@@ -174,7 +174,7 @@ TEST(HardCases, HaveTheClosestPointsOfScans) {
       EXPECT_GE(found->distance.upper, length(scanned.at(found->place) - widened(q)) * (1 - 0x1p-60L));
       // a flat minimum leaves the root of what distances are rounded by
       EXPECT_LE(found->distance.upper - found->distance.lower, 4e-7 * c.at.scale + rounding(c));
-      const auto all = ba::internal::closest_points(index, q, rounding(c));
+      const auto all = ba::closest_points(index, q, rounding(c));
       ASSERT_FALSE(all.empty());
       EXPECT_LE(all.front().distance.lower, least);
     }
@@ -213,9 +213,9 @@ TEST(HardCases, HaveTheKnownMeasures) {
     };
     known("length", ba::length(index, tolerance), size, width);
     if (c.expected.contains("area")) known("area", ba::area(index, tolerance * size), size * size, width * size);
-    known("diameter", ba::internal::diameter(index, tolerance)->diameter, size, width);
-    known("width", ba::internal::width(index, tolerance)->width, size, width);
-    known("circle", ba::internal::smallest_enclosing_circle(index, tolerance)->radius, size, width);
+    known("diameter", ba::diameter(index, tolerance)->diameter, size, width);
+    known("width", ba::width(index, tolerance)->width, size, width);
+    known("circle", ba::smallest_enclosing_circle(index, tolerance)->radius, size, width);
   });
 }
 
@@ -241,9 +241,9 @@ double perimeter(const std::vector<Point>& p) {
 TEST(HardCases, HaveHullsAndRayHitsOfSamples) {
   for_each_case("", [](const Hard_case& c) {
     const Bounding_arc_tree_2 index(c.both);
-    const ba::Convex_hull<> hull = ba::internal::convex_hull(index, 1e-4 * c.at.scale);
+    const ba::Convex_hull<> hull = ba::convex_hull(index, 1e-4 * c.at.scale);
     ASSERT_FALSE(hull.pieces.empty());
-    const std::vector<Point> chain = outline(index, hull), convex = ba::internal::convex_polygon(chain);
+    const std::vector<Point> chain = outline(index, hull), convex = convex_polygon(chain);
     const double around = perimeter(convex);
     EXPECT_NEAR(perimeter(chain), around, 1e-3 * around + rounding(c));
     for (std::size_t i = 0; convex.size() > 2 && i < convex.size(); ++i) {
@@ -256,7 +256,7 @@ TEST(HardCases, HaveHullsAndRayHitsOfSamples) {
     const Scanned_drawing scanned(c.both);
     const Point q = c.at(-20, -15), d{4, 3};  // through (0, 0)
     double before = 0;
-    for (const ba::Ray_hit<>& hit : ba::internal::ray_hits(index, q, d)) {
+    for (const ba::Ray_hit<>& hit : ba::ray_hits(index, q, d)) {
       EXPECT_LE(before, hit.distance.upper);
       before = hit.distance.lower;
       const Real way = length(scanned.at(hit.place) - widened(q));
@@ -273,7 +273,7 @@ TEST(HardCases, WithAnEmptyDrawingAreNothing) {
     const Bounding_arc_tree_2 index(c.both);
     EXPECT_TRUE(intersections(index, none).points.empty() && intersections(none, index).overlaps.empty());
     EXPECT_EQ(ba::do_intersect(none, index), false);
-    EXPECT_FALSE(ba::internal::distance(index, none) || ba::internal::hausdorff_distance(none, index, 1));
+    EXPECT_FALSE(ba::distance(index, none) || ba::hausdorff_distance(none, index, 1));
   }
 }
 

@@ -7,9 +7,9 @@
 #include "cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include "../../src/library/query/Hausdorff_search.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ double sampled_distance(const Drawing& a, const Bounding_arc_tree_2& b) {
 
 void expect_directed(const Drawing& a, const Drawing& b, double tolerance) {
   const Bounding_arc_tree_2 index_a(a), index_b(b);
-  const auto r = ba::internal::directed_hausdorff_distance(index_a, index_b, tolerance);
+  const std::optional<ba::Drawing_distance<>> r = ba::directed_hausdorff_distance(index_a, index_b, tolerance);
   ASSERT_TRUE(r);
   const double rounding = 400 * 0x1p-53 * (size_of(a) + size_of(b));
   EXPECT_GE(r->distance.upper, sampled_distance(a, index_b) - rounding * 0x1p-4);
@@ -104,7 +104,7 @@ TEST(Hausdorff, IsBracketedBesideScansInLongDouble) {
       }
       farthest = (std::max)(farthest, of_piece);
     }
-    const auto r = ba::internal::directed_hausdorff_distance(Bounding_arc_tree_2(a), Bounding_arc_tree_2(b), 1e-9);
+    const auto r = ba::directed_hausdorff_distance(Bounding_arc_tree_2(a), Bounding_arc_tree_2(b), 1e-9);
     ASSERT_TRUE(r) << i;
     EXPECT_GE(r->distance.upper, farthest - 1e-15L) << i;
     EXPECT_LE(r->distance.lower, scanned_b.distance(scanned_a.at(r->a.place)) + 1e-15L) << i;
@@ -135,8 +135,8 @@ TEST(Hausdorff, OfCirclesIsKnown) {
     const double apart = std::hypot(q.x - p.x, q.y - p.y);
     const double directed = (std::max)(std::fabs(apart + r - s), std::fabs(std::fabs(apart - r) - s)),
                  both = apart + std::fabs(r - s);
-    const auto d = ba::internal::directed_hausdorff_distance(a, b, 1e-9),
-               h = ba::internal::hausdorff_distance(a, b, 1e-9);
+    const std::optional<ba::Drawing_distance<>> d = ba::directed_hausdorff_distance(a, b, 1e-9),
+                                                h = ba::hausdorff_distance(a, b, 1e-9);
     const double rounding = 1e-13 * (8 + r + s);
     EXPECT_LE(d->distance.lower, directed + rounding) << i;
     EXPECT_GE(d->distance.upper, directed - rounding) << i;
@@ -156,14 +156,14 @@ TEST(Hausdorff, IsFoundWhereBranchesOfEqualDistanceMeet) {
   two.add(segment({0, 0}, {0, 3}));
   two.add(segment({4, 3}, {4, -1}));
   const Bounding_arc_tree_2 a(drawing_of(segment({0, 1}, {4, 1}))), b(two);
-  const auto d = ba::internal::directed_hausdorff_distance(a, b, 1e-12);
+  const auto d = ba::directed_hausdorff_distance(a, b, 1e-12);
   EXPECT_LE(d->distance.lower, 2);
   EXPECT_GE(d->distance.upper, 2);
   EXPECT_LE(d->distance.upper - d->distance.lower, 2e-12);
-  EXPECT_NEAR(d->a.point.x, 2, 2e-12);
+  EXPECT_NEAR(d->a.point.x(), 2, 2e-12);
   // from one end of a chord of a circle to the other, its middle is nearest to all
   const Bounding_arc_tree_2 chord(drawing_of(segment({-1, 0}, {1, 0}))), round(drawing_of(circle({0, 0}, 1)));
-  const auto h = ba::internal::hausdorff_distance(chord, round, 1e-12);
+  const auto h = ba::hausdorff_distance(chord, round, 1e-12);
   EXPECT_NEAR(h->distance.lower, 1, 2e-12);
   EXPECT_NEAR(h->distance.upper, 1, 2e-12);
 }
@@ -176,11 +176,11 @@ TEST(Hausdorff, OfOneCurveIsNothing) {
     const Bounding_arc_tree_2 whole(drawing_of(curve)),
         halves(drawing_of(std::vector<Bezier>{parts.first, parts.second}));
     for (const auto* other : {&whole, &halves}) {
-      const auto h = ba::internal::hausdorff_distance(whole, *other, 1e-7);
+      const auto h = ba::hausdorff_distance(whole, *other, 1e-7);
       EXPECT_LE(h->distance.lower, 1e-14);
       EXPECT_LE(h->distance.upper, 1.001e-7);
     }
-    const auto h = ba::internal::directed_hausdorff_distance(Bounding_arc_tree_2(drawing_of(parts.first)), whole, 1e-7);
+    const auto h = ba::directed_hausdorff_distance(Bounding_arc_tree_2(drawing_of(parts.first)), whole, 1e-7);
     EXPECT_LE(h->distance.upper, 1.001e-7);
   }
 }
@@ -207,19 +207,19 @@ TEST(Hausdorff, LooksAtFewPointsOfManyPieces) {
 TEST(Hausdorff, IsOfPointsAndOfNothing) {
   const Bounding_arc_tree_2 none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
       origin(drawing_of(Bezier({{0, 0}, {0, 0}}))), line(drawing_of(segment({0, 0}, {6, 0})));
-  EXPECT_FALSE(ba::internal::hausdorff_distance(none, point, 1));
-  EXPECT_FALSE(ba::internal::hausdorff_distance(point, none, 1));
-  EXPECT_FALSE(ba::internal::directed_hausdorff_distance(none, none, 1));
-  EXPECT_NEAR(ba::internal::hausdorff_distance(point, origin, 1e-12)->distance.upper, 5, 2e-12);
-  EXPECT_NEAR(ba::internal::directed_hausdorff_distance(point, line, 1e-12)->distance.upper, 4, 2e-12);
-  EXPECT_NEAR(ba::internal::hausdorff_distance(point, line, 1e-12)->distance.lower, 5, 2e-12);
-  EXPECT_LE(ba::internal::hausdorff_distance(point, point, 1e-12)->distance.upper, 2e-12);
+  EXPECT_FALSE(ba::hausdorff_distance(none, point, 1));
+  EXPECT_FALSE(ba::hausdorff_distance(point, none, 1));
+  EXPECT_FALSE(ba::directed_hausdorff_distance(none, none, 1));
+  EXPECT_NEAR(ba::hausdorff_distance(point, origin, 1e-12)->distance.upper, 5, 2e-12);
+  EXPECT_NEAR(ba::directed_hausdorff_distance(point, line, 1e-12)->distance.upper, 4, 2e-12);
+  EXPECT_NEAR(ba::hausdorff_distance(point, line, 1e-12)->distance.lower, 5, 2e-12);
+  EXPECT_LE(ba::hausdorff_distance(point, point, 1e-12)->distance.upper, 2e-12);
 }
 
 TEST(Hausdorff, RefusesTolerancesThatAreNone) {
   const Bounding_arc_tree_2 origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL})
-    EXPECT_THROW((void)ba::internal::hausdorff_distance(origin, origin, tolerance), std::invalid_argument);
+    EXPECT_THROW((void)ba::hausdorff_distance(origin, origin, tolerance), std::invalid_argument);
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 #include "cases.h"
 #include "closed_drawings.h"
+#include "convex_polygon.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/internal/polygon_measures.h>
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
     const Placing& place = places[i % 5];
     const double size = place.scale, room = 1e-2 * size, far = 1e-13 * std::fabs(place.y);
     const Bounding_arc_tree_2 index(random_lattice_drawing(random, 5, place));
-    const Points all = ba::internal::convex_polygon(sampled_points(index, 100));
+    const Points all = convex_polygon(sampled_points(index, 100));
     double diameter = 0, width = all.size() < 3 ? 0 : 1e300;
     for (std::size_t k = 0; k < all.size(); ++k) {
       double farthest = 0;
@@ -50,9 +50,9 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
     }
     const std::string name = "drawing " + std::to_string(i);
     for (const double tolerance : {1e-2 * size, 1e-6 * size}) {
-      const auto w = ba::internal::width(index, tolerance);
-      const auto d = ba::internal::diameter(index, tolerance);
-      const auto c = ba::internal::smallest_enclosing_circle(index, tolerance);
+      const std::optional<ba::Width_of_drawing<>> w = ba::width(index, tolerance);
+      const std::optional<ba::Diameter_of_drawing<>> d = ba::diameter(index, tolerance);
+      const std::optional<ba::Enclosing_circle<>> c = ba::smallest_enclosing_circle(index, tolerance);
       ASSERT_TRUE(w && d && c);
       EXPECT_NEAR(std::hypot(w->along.x, w->along.y), 1, 1e-15) << name;
       for (const ba::Measure_bounds& b : {w->width, d->diameter, c->radius}) {
@@ -139,9 +139,9 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
     const Bounding_arc_tree_2 index(drawing);
     const Scanned_hull scanned(drawing);
     constexpr double TOLERANCE = 1e-7, ROUNDING = 1e-14, NEAR = 1e-6;
-    const auto w = ba::internal::width(index, TOLERANCE);
-    const auto d = ba::internal::diameter(index, TOLERANCE);
-    const auto c = ba::internal::smallest_enclosing_circle(index, TOLERANCE);
+    const std::optional<ba::Width_of_drawing<>> w = ba::width(index, TOLERANCE);
+    const std::optional<ba::Diameter_of_drawing<>> d = ba::diameter(index, TOLERANCE);
+    const std::optional<ba::Enclosing_circle<>> c = ba::smallest_enclosing_circle(index, TOLERANCE);
     const Real width = scanned.least_width(), diameter = scanned.diameter();
     EXPECT_LE(w->width.lower, width + ROUNDING) << i;
     EXPECT_GE(w->width.upper, scanned.width(std::atan2(Real(w->along.x), -Real(w->along.y))) - ROUNDING) << i;
@@ -184,15 +184,15 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
         }
         EXPECT_NE(fine.status, ba::Query_status::LIMIT_REACHED) << i;
       };
-      const ba::Measure_bounds width = ba::internal::width(index, tolerance)->width,
-                               diameter = ba::internal::diameter(index, tolerance)->diameter;
+      const ba::Measure_bounds width = ba::width(index, tolerance)->width,
+                               diameter = ba::diameter(index, tolerance)->diameter;
       // two low pieces
       EXPECT_LE(width.upper - width.lower, tolerance + 400 * error_of(index)) << i;
       EXPECT_LE(diameter.upper - diameter.lower, tolerance + 400 * error_of(index)) << i;
-      expect_alike(width, ba::internal::width(index, COARSE)->width);
-      expect_alike(diameter, ba::internal::diameter(index, COARSE)->diameter);
-      expect_alike(ba::internal::smallest_enclosing_circle(index, tolerance)->radius,
-                   ba::internal::smallest_enclosing_circle(index, COARSE)->radius);
+      expect_alike(width, ba::width(index, COARSE)->width);
+      expect_alike(diameter, ba::diameter(index, COARSE)->diameter);
+      expect_alike(ba::smallest_enclosing_circle(index, tolerance)->radius,
+                   ba::smallest_enclosing_circle(index, COARSE)->radius);
     }
     if (HasFailure()) return;
   }

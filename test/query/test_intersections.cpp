@@ -6,10 +6,10 @@
 
 #include "cases.h"
 
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
+#include "../../src/library/query/exact_intersections.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::internal::intersections;
+using ba::intersections;
 using Bezier = ba::Bezier_curve_2<double>;
 using Points = std::vector<ba::Xy<double>>;
 using Kind = ba::Intersection_kind;
@@ -174,7 +174,7 @@ TEST(Intersections, OfAVerticalSegmentThroughACuspIsOnePoint) {
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0].kind, Kind::TANGENTIAL);
   EXPECT_TRUE(found.overlaps.empty());
-  EXPECT_TRUE(ba::internal::self_intersections(index_of({cusp})).points.empty());
+  EXPECT_TRUE(ba::self_intersections(index_of({cusp})).points.empty());
 }
 
 TEST(Intersections, AtJointsCountOnce) {
@@ -187,9 +187,8 @@ TEST(Intersections, AtJointsCountOnce) {
   const ba::Intersections_2<> corner = intersections(square, polygon({{2, 2}, {3, 2}, {3, 3}}));
   ASSERT_EQ(corner.points.size(), 1U);
   EXPECT_EQ(corner.points[0].kind, Kind::TANGENTIAL);  // with the side that goes on straight
-  EXPECT_TRUE(ba::internal::self_intersections(square).points.empty());
-  const ba::Intersections_2<> eight =
-      ba::internal::self_intersections(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
+  EXPECT_TRUE(ba::self_intersections(square).points.empty());
+  const ba::Intersections_2<> eight = ba::self_intersections(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
   ASSERT_EQ(eight.points.size(), 1U);
   EXPECT_EQ(eight.points[0].kind, Kind::TRANSVERSAL);
 }
@@ -338,7 +337,7 @@ TEST(Intersections, BesideAnOverlapStayOpen) {
 TEST(Intersections, OfNothingAreNone) {
   const ba::Bounding_arc_tree_2 nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
   EXPECT_TRUE(intersections(nothing, segment).points.empty());
-  EXPECT_TRUE(ba::internal::self_intersections(nothing).points.empty());
+  EXPECT_TRUE(ba::self_intersections(nothing).points.empty());
   EXPECT_EQ(ba::do_intersect(nothing, nothing), false);
   const ba::Bounding_arc_tree_2 point = polygon({{0.5, 0.5}, {0.5, 0.5}});
   EXPECT_EQ(ba::do_intersect(point, segment), true);

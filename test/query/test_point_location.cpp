@@ -303,10 +303,10 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
       points.push_back(k % 3 == 2 ? points.back() + Point{0x1p-4, 0}
                                   : Point{coordinate(random) / 2.0, coordinate(random) / 2.0});
     for (const Fill_rule rule : {Fill_rule::NONZERO, Fill_rule::EVEN_ODD}) {
-      const auto all = ba::internal::signed_distances_of_all(index, {points.begin(), points.end()}, rule);
+      const auto all = ba::signed_distances_of_all(index, points, rule);
       ASSERT_EQ(all.size(), points.size());
       for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto one = ba::internal::signed_distance(index, points[k], rule);
+        const auto one = ba::signed_distance(index, points[k], rule);
         const auto closest = ba::closest_point(index, points[k]);
         const auto known = winding_by_sturm(index.drawing(), exactly(points[k]));
         ASSERT_TRUE(one && closest);
@@ -331,7 +331,7 @@ TEST(SignedDistance, OfACircleIsKnown) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
   const Bounding_arc_tree_2 index(drawing), doubles(drawing, ba::Decisions::DOUBLE);
-  const auto at = [&](double x, double y) { return ba::internal::signed_distance(index, {x, y})->distance; };
+  const auto at = [&](double x, double y) { return ba::signed_distance(index, {x, y})->distance; };
   const double known[][3] = {{0, 0, -5}, {1, 0, -4}, {3, 4, 0}, {6, 8, 5}, {-3, 0, -2}, {0, 15, 10}};
   for (const auto& [x, y, d] : known) {
     EXPECT_LE(at(x, y).lower, d) << x << ' ' << y;
@@ -342,7 +342,7 @@ TEST(SignedDistance, OfACircleIsKnown) {
   EXPECT_LE(at(3, std::nextafter(4, 0)).lower, 0);
   EXPECT_LE(at(3, std::nextafter(4, 0)).upper, 0);
   EXPECT_GE(at(3, std::nextafter(4, 5)).lower, 0);
-  const auto open = ba::internal::signed_distance(doubles, {3, 4});  // what doubles do not tell has both signs
+  const auto open = ba::signed_distance(doubles, {3, 4});  // what doubles do not tell has both signs
   EXPECT_EQ(open->side, Point_side::UNDECIDED);
   EXPECT_LT(open->distance.lower, 0);
   EXPECT_GT(open->distance.upper, 0);
@@ -350,17 +350,18 @@ TEST(SignedDistance, OfACircleIsKnown) {
 
 TEST(SignedDistance, IsNoneOfNothingAndRefusesOpenCurvesAndNonNumbers) {
   const Bounding_arc_tree_2 none{ba::Drawing_2<double>()};
-  EXPECT_FALSE(ba::internal::signed_distance(none, {0, 0}));
-  EXPECT_TRUE(ba::internal::signed_distances_of_all(none, {{0, 0}}).empty());
+  EXPECT_FALSE(ba::signed_distance(none, {0, 0}));
+  EXPECT_TRUE(ba::signed_distances_of_all(none, std::vector<Point>{{0, 0}}).empty());
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters());
   const Bounding_arc_tree_2 index(drawing);
-  EXPECT_THROW((void)ba::internal::signed_distance(index, {std::nan(""), 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::internal::signed_distances_of_all(index, {{0, 0}, {0, HUGE_VAL}}), std::invalid_argument);
+  EXPECT_THROW((void)ba::signed_distance(index, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::signed_distances_of_all(index, std::vector<Point>{{0, 0}, {0, HUGE_VAL}}),
+               std::invalid_argument);
   drawing.add(Lattice_curve({{0, 0}, {1, 1}}));
   const Bounding_arc_tree_2 open(drawing);
-  EXPECT_THROW((void)ba::internal::signed_distance(open, {0, 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::internal::signed_distances_of_all(open, {}), std::invalid_argument);
+  EXPECT_THROW((void)ba::signed_distance(open, {0, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::signed_distances_of_all(open, std::vector<Point>()), std::invalid_argument);
 }
 
 }  // namespace

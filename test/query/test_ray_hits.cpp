@@ -8,8 +8,6 @@
 #include "closed_drawings.h"
 #include "winding_oracle.h"
 
-#include <CGAL/Bounding_arcs_2/query/internal/Ray_filter.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Ray_search.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 
 #include <gtest/gtest.h>
@@ -99,7 +97,7 @@ TEST(RayHits, AreAsManyAsSturmSequencesCount) {
           is_along = is_along || n < 0;
           count += n;
         }
-      const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, q, d);
+      const std::vector<Ray_hit<>> hits = ba::ray_hits(index, q, d);
       if (!is_along) {
         ASSERT_EQ(hits.size(), static_cast<std::size_t>(count)) << "drawing " << i << " ray " << k;
       }
@@ -121,48 +119,13 @@ TEST(RayHits, AreAsManyAsSturmSequencesCount) {
   EXPECT_GT(found, cases(2000));
 }
 
-TEST(RayHits, OfDoublesAreThoseOfExactArithmetic) {
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
-  int told = 0, rays = 0;
-  for (int i = 0; i < cases(300); ++i) {
-    const Placing& place = places[i % 5];
-    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, place));
-    for (int k = 0; k < 5; ++k, ++rays) {
-      // one in five touches the curve but for rounding
-      const ba::Spiral_sample& sample = index.in_unit().piece(0).last;
-      const Point q = k == 4 ? sample.point - place.scale * sample.tangent : place(4 * unit(random), 4 * unit(random)),
-                  d = k == 4 ? sample.tangent : Point{unit(random), unit(random)};
-      ba::internal::Ray_search search(index.in_unit(), q, d);
-      const auto found =
-          ba::internal::Ray_filter(index.in_unit(), q, ba::internal::Ray_search::scaled(d)).hits(search.segments());
-      if (!found) continue;
-      ++told;
-      const std::vector<ba::internal::Exact_hit> exact = search.search();
-      ASSERT_EQ(found->size(), exact.size()) << i << ' ' << k;
-      for (std::size_t h = 0; h < exact.size(); ++h) {
-        EXPECT_EQ(index.in_unit().bezier_of((*found)[h].segment), index.in_unit().bezier_of(exact[h].piece->segment));
-        const double t = CGAL::to_double(exact[h].t.lower());
-        EXPECT_NEAR((*found)[h].t, t, 0x1p-50);
-        // squares of distances, exactly
-        const Exact x = exact[h].way.low, y = exact[h].way.high, norm = Exact(d.x) * d.x + Exact(d.y) * d.y,
-                    low = (*found)[h].distance.lower, high = (*found)[h].distance.upper;
-        EXPECT_TRUE(low * low * norm <= y * y && x * x <= high * high * norm) << i << ' ' << k;
-        EXPECT_LE((*found)[h].distance.upper, (*found)[h].distance.lower * (1 + 0x1p-50));
-      }
-    }
-  }
-  EXPECT_GT(told, rays * 3 / 4);
-}
-
 TEST(RayHits, OfACircleAreRightToTheLastDouble) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
   const Bounding_arc_tree_2 index(drawing);
   const auto distances = [&](const Point& q, const Point& d) {
     std::vector<double> result;
-    for (const Ray_hit<>& hit : ba::internal::ray_hits(index, q, d)) {
+    for (const Ray_hit<>& hit : ba::ray_hits(index, q, d)) {
       EXPECT_LE(hit.distance.upper - hit.distance.lower, 16 * 0x1p-53 * hit.distance.upper);
       result.push_back(hit.distance.lower / 2 + hit.distance.upper / 2);
     }
@@ -186,15 +149,15 @@ TEST(RayHits, AlongAPieceTellWhatBoundsIt) {
   ba::Drawing_2<double> drawing;
   drawing.add(Lattice_curve({{1, 0}, {3, 0}, {2, 0}}));  // there to 7/3, and back
   const Bounding_arc_tree_2 index(drawing);
-  const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, {0, 0}, {1, 0});
+  const std::vector<Ray_hit<>> hits = ba::ray_hits(index, Point{0, 0}, Point{1, 0});
   ASSERT_EQ(hits.size(), 3U);
   EXPECT_EQ(hits[0].point, (Point{1, 0}));
   EXPECT_EQ(hits[1].point, (Point{2, 0}));
   EXPECT_NEAR(hits[2].point.x, 7.0 / 3, 1e-15);
   for (const Ray_hit<>& hit : hits) EXPECT_TRUE(hit.is_along);
-  EXPECT_EQ(ba::internal::ray_hits(index, {1.5, 0}, {1, 0}).size(), 3U);
-  EXPECT_EQ(ba::internal::ray_hits(index, {1.5, 0}, {-1, 0}).size(), 2U);
-  EXPECT_TRUE(ba::internal::ray_hits(index, {0.5, 0}, {-1, 0}).empty());
+  EXPECT_EQ(ba::ray_hits(index, {1.5, 0}, {1, 0}).size(), 3U);
+  EXPECT_EQ(ba::ray_hits(index, {1.5, 0}, {-1, 0}).size(), 2U);
+  EXPECT_TRUE(ba::ray_hits(index, {0.5, 0}, {-1, 0}).empty());
 }
 
 TEST(RayHits, AreInOrderWhereDoublesAreNot) {
@@ -202,7 +165,7 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
   drawing.add(Lattice_curve({{1, -1}, {1, 1}}));
   drawing.add(Lattice_curve({{0, -1}, {0, 0x1p-80}, {3, 1}}));
   const Bounding_arc_tree_2 index(drawing);
-  const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, {0, 0}, {1, 0});
+  const std::vector<Ray_hit<>> hits = ba::ray_hits(index, Point{0, 0}, Point{1, 0});
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[0].place.curve, 1U);
   ba::Drawing_2<double> near;
@@ -210,7 +173,7 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
   near.add(Lattice_curve({{0, -1}, {0, 0x1p-80}, {3, 1}}));  // y = 0 for t less than a half: before 0.75
   near.add(Lattice_curve({{0, -1}, {0, -0x1p-80}, {3, 1}}));
   const Bounding_arc_tree_2 close(near);
-  const std::vector<Ray_hit<>> three = ba::internal::ray_hits(close, {0, 0}, {1, 0});
+  const std::vector<Ray_hit<>> three = ba::ray_hits(close, Point{0, 0}, Point{1, 0});
   ASSERT_EQ(three.size(), 3U);
   EXPECT_EQ(three[0].place.curve, 1U);
   EXPECT_EQ(three[1].place.curve, 0U);
@@ -219,9 +182,9 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
 
 TEST(RayHits, OfNothingAreNoneAndOfNoNumbersAnError) {
   const Bounding_arc_tree_2 index{ba::Drawing_2<double>()};
-  EXPECT_TRUE(ba::internal::ray_hits(index, {0, 0}, {1, 0}).empty());
-  EXPECT_THROW((void)ba::internal::ray_hits(index, {0, 0}, {0, 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::internal::ray_hits(index, {0, 0}, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_TRUE(ba::ray_hits(index, {0, 0}, {1, 0}).empty());
+  EXPECT_THROW((void)ba::ray_hits(index, {0, 0}, {0, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::ray_hits(index, {0, 0}, {std::nan(""), 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ namespace {
 using namespace bounding_arcs_test;
 using ba::Bounding_arc_tree_2;
 using ba::Decisions;
-using ba::internal::intersections;
+using ba::intersections;
 
 void add(Answers& to, const ba::Closest_point<>& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
 void add(Answers& to, const ba::Drawing_distance<>& d) {
@@ -61,35 +61,36 @@ void ask_points(Answers& to, const Bounding_arc_tree_2& index, double scale, boo
     add(to, *ba::closest_point(index, p));
     add(to, *ba::closest_point(index, p, {0, 0, 0.5}));
     to.of("closest points");
-    for (const auto& c : ba::internal::closest_points(index, p, scale * 0.01)) add(to, c);
+    for (const auto& c : ba::closest_points(index, p, scale * 0.01)) add(to, c);
     to.of("nearest curves");
-    for (const auto& c : ba::internal::k_nearest_curves(index, p, 2)) add(to, c);
+    for (const auto& c : ba::k_nearest_curves(index, p, 2)) add(to, c);
     to.of("ray");
-    for (const auto& hit : ba::internal::ray_hits(index, p, {-3, 1})) to.place(hit.place), to.lengths(hit.distance);
+    for (const auto& hit : ba::ray_hits(index, p, {-3, 1})) to.place(hit.place), to.lengths(hit.distance);
     if (!is_closed) continue;
     to.of("winding number");
     const ba::Winding_number w = ba::winding_number(index, p);
     to.count(static_cast<std::size_t>(w.state)), to.number(w.number);
     to.of("signed distance");
-    to.lengths(ba::internal::signed_distance(index, p)->distance);
+    to.lengths(ba::signed_distance(index, p)->distance);
   }
   to.of("closest points of all");
-  for (const auto& c : ba::internal::closest_points_of_all(index, {{0, 0}, scale * Point{0.01, 0.01}})) add(to, c);
+  for (const auto& c : ba::closest_points_of_all(index, std::vector<Point>{{0, 0}, scale * Point{0.01, 0.01}}))
+    add(to, c);
 }
 
 void ask_shape(Answers& to, const Bounding_arc_tree_2& index, double scale, bool is_closed) {
   const double eps = scale * 1e-6;
   to.of("hull");
-  const ba::Convex_hull<> hull = ba::internal::convex_hull(index, eps);
+  const ba::Convex_hull<> hull = ba::convex_hull(index, eps);
   to.length(hull.height);
   for (const auto& p : hull.pieces) to.place(p.from), to.place(p.to), to.point(p.from_point), to.point(p.to_point);
   to.of("width");
-  to.lengths(ba::internal::width(index, eps)->width);
+  to.lengths(ba::width(index, eps)->width);
   to.of("diameter");
-  const ba::Diameter_of_drawing<> diameter = *ba::internal::diameter(index, eps);
+  const ba::Diameter_of_drawing<> diameter = *ba::diameter(index, eps);
   to.lengths(diameter.diameter), to.point(diameter.first_point), to.place(diameter.second);
   to.of("circle");
-  const ba::Enclosing_circle<> circle = *ba::internal::smallest_enclosing_circle(index, eps);
+  const ba::Enclosing_circle<> circle = *ba::smallest_enclosing_circle(index, eps);
   to.point(circle.center), to.lengths(circle.radius);
   to.of("length");
   to.lengths(ba::length(index, eps));
@@ -110,13 +111,13 @@ Answers answers(const Drawing& a, const Drawing& b, double scale, Decisions deci
   ask_points(to, of_a, scale, is_closed);
   ask_shape(to, of_a, scale, is_closed);
   to.of("distance");
-  add(to, *ba::internal::distance(of_a, of_b, 1e-9 * scale));
+  add(to, *ba::distance(of_a, of_b, 1e-9 * scale));
   to.of("Hausdorff distance");
-  add(to, *ba::internal::hausdorff_distance(of_a, of_b, scale * 1e-4));
+  add(to, *ba::hausdorff_distance(of_a, of_b, scale * 1e-4));
   to.of("intersections");
   add(to, intersections(of_a, of_b));
   to.of("self-intersections");
-  add(to, ba::internal::self_intersections(of_a));
+  add(to, ba::self_intersections(of_a));
   to.of("whether curves meet");
   const auto meet = ba::do_intersect(of_a, of_b);
   to.count(meet ? (*meet ? 1U : 0U) : 2U);
@@ -193,8 +194,8 @@ TEST(ScaledQueries, OfExactNumbersAreTheSameBits) {
     ask_points(to, Bounding_arc_tree_2(drawing(k)), scale, true);
     ask_shape(to, Bounding_arc_tree_2(drawing(k)), scale, true);
     to.of("distance");
-    add(to, *ba::internal::distance(Bounding_arc_tree_2(drawing(k)),
-                                    Bounding_arc_tree_2(drawing_of(segment({scale, 0}, {0, scale})))));
+    add(to, *ba::distance(Bounding_arc_tree_2(drawing(k)),
+                          Bounding_arc_tree_2(drawing_of(segment({scale, 0}, {0, scale})))));
     return to;
   };
   const Answers unscaled = ask(0);
@@ -208,14 +209,14 @@ TEST(ScaledQueries, OfExactNumbersAreTheSameBits) {
 TEST(ScaledQueries, OfTwoSizesAreTold) {
   const Bounding_arc_tree_2 unit(drawing_of(segment({1, 1}, {1, -1}))),
       speck(drawing_of(segment({0, 0}, {0x1p-400, 0}))), huge(drawing_of(circle({0, 0}, 0x1p400)));
-  for (const auto& found : {*ba::internal::distance(unit, speck), *ba::internal::distance(speck, unit)}) {
+  for (const auto& found : {*ba::distance(unit, speck), *ba::distance(speck, unit)}) {
     EXPECT_LE(found.distance.lower, 1);
     EXPECT_GE(found.distance.upper, 1);
     EXPECT_NEAR(found.distance.upper, 1, 1e-12);
   }
-  for (const auto& found : {*ba::internal::distance(unit, huge), *ba::internal::distance(huge, speck)})
+  for (const auto& found : {*ba::distance(unit, huge), *ba::distance(huge, speck)})
     EXPECT_NEAR(found.distance.upper * 0x1p-400, 1, 1e-12);
-  EXPECT_NEAR(ba::internal::hausdorff_distance(huge, unit, 0x1p380)->distance.upper * 0x1p-400, 1, 1e-5);
+  EXPECT_NEAR(ba::hausdorff_distance(huge, unit, 0x1p380)->distance.upper * 0x1p-400, 1, 1e-5);
   EXPECT_TRUE(intersections(unit, huge).points.empty());
   const Bounding_arc_tree_2 through(drawing_of(segment({0, -0x1p450}, {0, 0x1p450})));
   EXPECT_EQ(intersections(speck, through).points.size(), 1U);
@@ -261,8 +262,8 @@ TEST(ScaledQueries, FindCommonPointsOfSpecks) {
                found = intersections(beside(a, 2), beside(b, 3));
     EXPECT_EQ(found.points.size(), known.points.size());
     EXPECT_EQ(found.overlaps.size(), known.overlaps.size());
-    EXPECT_EQ(ba::internal::self_intersections(beside(a, 2)).points.size(),
-              ba::internal::self_intersections(Bounding_arc_tree_2(a)).points.size());
+    EXPECT_EQ(ba::self_intersections(beside(a, 2)).points.size(),
+              ba::self_intersections(Bounding_arc_tree_2(a)).points.size());
   }
 }
 
@@ -304,9 +305,9 @@ TEST(ScaledQueries, ServePointsToTheEndOfTheRange) {
     EXPECT_GE(found.distance.upper, d - room);
     EXPECT_LE(found.distance.lower, d + room);
     EXPECT_LE(found.distance.upper - found.distance.lower, 0x1p-40 * d + 0x1p-40);
-    EXPECT_FALSE(ba::internal::closest_points(index, q, 1e-9).empty());
-    EXPECT_FALSE(ba::internal::k_nearest_curves(index, q, 2).empty());
-    static_cast<void>(ba::internal::ray_hits(index, q, -q));
+    EXPECT_FALSE(ba::closest_points(index, q, 1e-9).empty());
+    EXPECT_FALSE(ba::k_nearest_curves(index, q, 2).empty());
+    static_cast<void>(ba::ray_hits(index, q, -q));
   }
 }
 TEST(ScaledQueries, RefusePointsOutOfRange) {
@@ -314,11 +315,12 @@ TEST(ScaledQueries, RefusePointsOutOfRange) {
     const Bounding_arc_tree_2 index(drawing_of(circle({0, 0}, scale)));
     for (const double far : {1.1 * 0x1p500, 1.4e154, 1e300, 1e308}) {
       EXPECT_THROW(static_cast<void>(ba::closest_point(index, {far, 0})), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::internal::closest_points(index, {0, far}, 1)), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::internal::k_nearest_curves(index, {far, far}, 1)), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::closest_points(index, {0, far}, 1)), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::k_nearest_curves(index, {far, far}, 1)), std::invalid_argument);
       EXPECT_THROW(static_cast<void>(ba::locate(index, {0, -far})), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::internal::ray_hits(index, {far, 0}, {1, 0})), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::internal::closest_points_of_all(index, {{far, 0}})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::ray_hits(index, {far, 0}, {1, 0})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::closest_points_of_all(index, std::vector<Point>{{far, 0}})),
+                   std::invalid_argument);
     }
   }
   const Bounding_arc_tree_2 small(drawing_of(circle({0, 0}, 0x1p-400)));

@@ -5,12 +5,12 @@
 // What exactness costs, what goes wrong without it, and verdicts on grids of neighbouring doubles.
 
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/study/Consequence_study.h>
 #include <CGAL/Bounding_arcs_2/study/Cost_study.h>
 #include <CGAL/Bounding_arcs_2/study/Verdict_grid.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
+#include "../../src/library/query/exact_intersections.h"
 
 #include <gtest/gtest.h>
 

@@ -12,9 +12,9 @@
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include "../../src/library/study/Region_hierarchy.h"
 
 #include <gtest/gtest.h>
 
@@ -45,8 +45,8 @@ bool has_straight_sides(Region_kind kind) {
 void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centers = false) {
   const ba::Search_report bca = ba::search_report(Region_kind::BCA, tasks);
   const ba::Bounding_arc_tree_2 curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
-  const auto least = ba::internal::distance(curves, apart, tasks.eps);
-  const auto common = ba::internal::intersections(curves, crossing);
+  const auto least = ba::distance(curves, apart, tasks.eps);
+  const auto common = ba::intersections(curves, crossing);
   const std::size_t points = tasks.points.size();
   ASSERT_EQ(bca.distances.size(), 2 * points + 2);
   EXPECT_EQ(bca.common.points.size(), common.points.size());

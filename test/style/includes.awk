@@ -62,7 +62,7 @@ function note_local(code,    name, before, is_declared) {
     if (name ~ /^[A-Z].*[a-z]/) is_declared = before ~ /(^|[^A-Za-z_0-9])(class|struct|enum|union|using|typename)$/
     else is_declared = before !~ /(^|[^A-Za-z_0-9])(return|new|else|case|throw)$/
     if (is_declared) is_local[FILENAME, name]
-    code = substr(code, RSTART + RLENGTH - length(name) + 1)
+    code = substr(code, RSTART + RLENGTH - length(name))
   }
 }
 

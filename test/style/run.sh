@@ -44,6 +44,9 @@ refuse 'Includes from a later room, or from the inside of another one:' \
       sub(/.*(Bounding_arcs_2|\.\.)\//, "", $3); depth = split($3, other, "/")
       is_below = place[other[1]] && place[other[1]] < place[own[1]]
       if (other[1] != own[1] && !(is_below && depth == 2)) print $1 ":" $2 }')"
+refuse 'Outside of a folder internal, the tool, examples and tests by what users do not see:' \
+  "$(grep -rnE '(ba|arcs)::internal::' src/tool examples test --include='*.cpp' --include='*.h' |
+    grep -vE '^test/([a-z_]+/internal|consumer)/' | cut -d: -f1,2)"
 refuse 'Names whose header is not included:' \
   "$(printf '%s\n' "${sources[@]}" | grep -E '^(include|src)/' | xargs awk -f test/style/includes.awk)"
 refuse 'Comments without a subject: say what it is that is "Of ..." or "The same ...":' "$(
@@ -79,5 +82,5 @@ refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk
 refuse 'README.md installs other packages than .ci/packages_build.txt lists:' \
   "$(diff <(sed -n 's/^apt-get install //p' README.md | tr ' ' '\n') .ci/packages_build.txt)"
 refuse 'Not in the folder of a room, of input or of tool:' \
-  "$(find test -name 'test_*.cpp' | grep -vE "^test/(${rooms// /|}|input|tool)/[^/]+$")"
+  "$(find test -name 'test_*.cpp' | grep -vE "^test/(${rooms// /|}|input|tool)/(internal/)?[^/]+$")"
 exit $status

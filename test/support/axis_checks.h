@@ -43,9 +43,7 @@ inline Drawing both(const std::vector<Bezier>& outer, const std::vector<Bezier>&
   return drawing;
 }
 inline Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
-  ba::internal::Axis_job options;
-  options.eps = eps;
-  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
+  return ba::medial_axis(ba::Bounding_arc_tree_2(drawing), eps);
 }
 
 inline std::size_t leaves_of(const Medial_axis_2& axis) {
@@ -110,10 +108,9 @@ inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, doub
 
 // The axis of a drawing whose last curve is a frame.
 inline Medial_axis_2 framed_axis_of(const Drawing& drawing, double eps = 1e-6) {
-  ba::internal::Axis_job options;
-  options.eps = eps;
+  ba::Medial_axis_options options;
   options.is_framed = true;
-  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
+  return ba::medial_axis(ba::Bounding_arc_tree_2(drawing), eps, options);
 }
 
 inline double distance(const Point& q, const Point& a, const Point& b) {

@@ -39,6 +39,21 @@ template <class Arc> double distance_from(const Arc& arc, const CGAL::Bounding_a
   return std::fabs(2 * f / (square + std::sqrt((std::max)(0.0, square * square + 4 * b * f / a))));
 }
 
+/// What an arc of a closed ring adds to how often the ring runs round a point that is not on it: its chord's crossing
+/// of the ray to the right, and the part of its disc between both.
+template <class Arc> int winding_of(const Arc& arc, const CGAL::Bounding_arcs::Xy<double>& x) {
+  const auto chord = arc.to - arc.from, v = x - arc.from, w = x - arc.to;
+  const double side = chord.x * v.y - chord.y * v.x, b = arc.bulge;  // above 0 to the left of the chord
+  int winding = 0;
+  if (arc.from.y <= x.y && x.y < arc.to.y && side > 0) winding = 1;
+  if (arc.to.y <= x.y && x.y < arc.from.y && side < 0) winding = -1;
+  if (b == 0 || (b > 0) == (side > 0)) return winding;
+  // on the arc's side of the chord: in the disc where the angle under which x sees the chord is larger than the arc's
+  const double across = std::fabs(side), along = v.x * w.x + v.y * w.y, turn = std::fabs(b);
+  if ((1 - turn * turn) * across > -2 * turn * along) return winding;
+  return winding + (b > 0 ? 1 : -1);
+}
+
 }  // namespace bounding_arcs_test
 
 #endif

@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+#include "../../src/library/query/exact_intersections.h"
 
 #include <CGAL/Exact_rational.h>
 

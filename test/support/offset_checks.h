@@ -72,7 +72,7 @@ inline double area_of(const Offset& offset) {
 inline int winding(const Offset& offset, const Point& x) {
   int sum = 0;
   for (const auto& chain : offset.chains)
-    for (const auto& p : chain.pieces) sum += ba::internal::winding_of_arc(p.arc, x);
+    for (const auto& p : chain.pieces) sum += winding_of(p.arc, x);
   return sum;
 }
 inline Offset_options within(double eps) {
@@ -159,7 +159,7 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
   ASSERT_TRUE(from_outline);
   EXPECT_GE(from_outline->nearest.lower, -most);
   EXPECT_LE(from_outline->farthest.upper, most);
-  EXPECT_LE(ba::internal::directed_hausdorff_distance(of_outline, index, eps / 16)->distance.upper, most);
+  EXPECT_LE(ba::directed_hausdorff_distance(of_outline, index, eps / 16)->distance.upper, most);
 }
 
 // Counts on a grid: points farther than eps from the boundary are inside exactly where distance and winding say so.

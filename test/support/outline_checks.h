@@ -10,9 +10,9 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include "../../src/library/query/Intersection_search.h"
 
 #include <gtest/gtest.h>
 

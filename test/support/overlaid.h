@@ -13,8 +13,8 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include "../../src/library/curve/exact_bezier.h"
 
 #include <CGAL/Exact_rational.h>
 

@@ -9,9 +9,9 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "../curve/exact_bezier.h"
+#include "../query/query_units.h"
 
 #include <algorithm>
 #include <cmath>

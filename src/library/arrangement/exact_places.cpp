@@ -6,8 +6,8 @@
 
 #include "Exact_place.h"
 
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "../curve/exact_bezier.h"
 
 #include <algorithm>
 #include <memory>

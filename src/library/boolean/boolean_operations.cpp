@@ -126,7 +126,7 @@ template <class IsInside>
   overlay.for_each_face([&](Edge_side s) { filled.cross(s); },
                         [&](std::uint32_t face) { inside[face] = is_inside(filled) ? 1 : 0; });
   const std::vector<Region_loop> loops = region_loops(overlay, inside, Loops_at_vertices::SPLIT);
-  if (united.own) united.own->drop_segments();
+  if (united.forest) united.forest->drop_boxes();
   const Chain_writer writer(overlay, united);
   result.chains.reserve(loops.size());
   for (const Region_loop& loop : loops) result.chains.push_back(writer.chain(loop));

@@ -7,10 +7,10 @@
 //   parts -> curves in doubles -> how far these are from the parts -> what is too small to be one -> drawing
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include "curve_of_part.h"
 
 #include <algorithm>
 #include <cstddef>

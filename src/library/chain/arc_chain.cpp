@@ -5,9 +5,9 @@
 // Bodies of chain/arc_chain.h.
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/chain/internal/Chain_builder.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
+#include "Chain_builder.h"
 
 #include <vector>
 

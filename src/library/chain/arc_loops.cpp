@@ -7,7 +7,7 @@
 
 #include "../tree/for_instruction_sets.h"
 
-#include <CGAL/Bounding_arcs_2/chain/internal/Arc_columns.h>
+#include "Arc_columns.h"
 
 namespace CGAL::Bounding_arcs::internal {
 

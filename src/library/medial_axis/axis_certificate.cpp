@@ -5,8 +5,8 @@
 // Bodies of medial_axis/axis_certificate.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_prover.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include "Axis_prover.h"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 // Bodies of medial_axis/axis_conics.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Line_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "Line_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
-#include <CGAL/Bounding_arcs_2/query/Winding_search.h>
+#include "../query/Winding_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ class Parted_segments {
  private:
   // Calls visit(piece, edge, cut at its start, cut at its end), in the order of the segment, of edges that are wanted.
   template <class Visit> void for_each_part(std::uint32_t segment, const Visit& visit) const {
-    const Spiral_piece_2& whole = curves_.piece(segment);
+    const Spiral_piece_2 whole = curves_.piece(segment);
     const std::size_t curve = curves_.place(segment).curve;
     const auto [first, end] = cut_.cuts_of_bezier(curves_.bezier_of(segment));
     std::uint32_t cut = first;

@@ -5,10 +5,10 @@
 // Bodies of medial_axis/clearance_path.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_roads.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "../query/query_units.h"
+#include "Axis_roads.h"
 
 #include <algorithm>
 #include <cstddef>

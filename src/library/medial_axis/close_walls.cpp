@@ -93,7 +93,7 @@ class Wall_joiner {
   }
 
   [[nodiscard]] bool is_short(std::uint32_t segment) const {
-    const Spiral_piece_2& piece = curves_.piece(segment);
+    const Spiral_piece_2 piece = curves_.piece(segment);
     return end_joint(segment, false) != end_joint(segment, true) &&
            euclidean_norm(piece.last.point - piece.first.point) <= 2 * close_;
   }
@@ -135,7 +135,7 @@ class Wall_joiner {
     }
   }
   [[nodiscard]] std::uint32_t cut_at(std::uint32_t segment, double t, std::uint32_t& next) {
-    const Spiral_piece_2& piece = curves_.piece(segment);
+    const Spiral_piece_2 piece = curves_.piece(segment);
     const Xy<double> at = point(segment, t);
     for (const bool is_last : {false, true})
       if (euclidean_norm(at - (is_last ? piece.last : piece.first).point) <= 2 * close_)
@@ -146,7 +146,7 @@ class Wall_joiner {
 
   void add_walls(const std::vector<Side_windings>& windings) {
     for (std::uint32_t s = 0; s < cuts_.size(); ++s) {
-      const Spiral_piece_2& whole = curves_.piece(s);
+      const Spiral_piece_2 whole = curves_.piece(s);
       first_wall_.push_back(static_cast<std::uint32_t>(walls_.size()));
       if (is_short(s) && is_alone_[s] == 0 && cuts_[s].empty()) {
         joints_.join(end_joint(s, false), end_joint(s, true));

@@ -5,13 +5,13 @@
 // Bodies of medial_axis/maximal_disc.h.
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Disc_search.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "../query/query_units.h"
+#include "Disc_search.h"
+#include "make_axis_boundary.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -64,7 +64,7 @@ std::optional<std::uint32_t> Maximal_discs_2::segment_of(const Curve_place& plac
   std::uint32_t low = 0, high = count;  // the first one that does not end before the place
   while (low < high) {
     const std::uint32_t middle = low + (high - low) / 2;
-    const Segment_place& p = parts.place(middle);
+    const Segment_place p = parts.place(middle);
     const bool is_before = p.curve != place.curve ? p.curve < place.curve
                                                   : (p.bezier != place.bezier ? p.bezier < place.bezier
                                                                               : parts.piece(middle).last.t < place.t);
@@ -72,7 +72,7 @@ std::optional<std::uint32_t> Maximal_discs_2::segment_of(const Curve_place& plac
     else high = middle;
   }
   if (low == count) return std::nullopt;
-  const Segment_place& p = parts.place(low);
+  const Segment_place p = parts.place(low);
   const bool has_place = p.curve == place.curve && p.bezier == place.bezier && parts.piece(low).first.t <= place.t;
   return has_place ? std::optional(low) : std::nullopt;
 }

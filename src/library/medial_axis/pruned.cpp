@@ -4,9 +4,9 @@
 //
 // Bodies of medial_axis/pruned.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_pruner.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include "Axis_pruner.h"
 
 #include <utility>
 

@@ -7,8 +7,8 @@
 #include "Wall_contacts.h"
 
 #include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "make_axis_boundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ class Contact_finder {
   [[nodiscard]] bool has_joint(std::uint32_t s, std::uint32_t j) const {
     return joint(s, false) == j || joint(s, true) == j;
   }
-  [[nodiscard]] const Spiral_sample& end(std::uint32_t s, bool is_last) const {
+  [[nodiscard]] Spiral_sample end(std::uint32_t s, bool is_last) const {
     return is_last ? curves_.piece(s).last : curves_.piece(s).first;
   }
   [[nodiscard]] Xy<double> point(std::uint32_t s, double t) const {

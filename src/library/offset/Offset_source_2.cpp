@@ -11,10 +11,10 @@
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Filled_outline.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_run.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
+#include "Filled_outline.h"
+#include "Offset_run.h"
 
 #include <algorithm>
 #include <cmath>

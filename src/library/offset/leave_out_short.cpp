@@ -14,8 +14,8 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Raw_offset.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/offset_chains.h>
+#include "Raw_offset.h"
+#include "offset_chains.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,7 +19,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/offset_chains.h>
+#include "offset_chains.h"
 
 #include <algorithm>
 #include <cmath>

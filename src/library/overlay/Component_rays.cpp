@@ -94,7 +94,7 @@ void Component_rays::set_start(int rise, int level, std::uint32_t edge, Edge_ray
 
 // The middle of the longest part of a segment between cuts.
 std::optional<Component_rays::Origin> Component_rays::origin_on(std::uint32_t segment) const {
-  const Spiral_piece_2& whole = curves_.piece(segment);
+  const Spiral_piece_2 whole = curves_.piece(segment);
   Origin o;
   o.bezier = curves_.bezier_of(segment);
   o.segment = segment;
@@ -136,7 +136,7 @@ Component_rays::Origin Component_rays::origin_between_cuts(std::uint32_t compone
 
 int Component_rays::clear_rise(const Origin& o, const Asked_point& q) const {
   constexpr double CLEAR = 4;  // times the error
-  const Spiral_piece_2& piece = curves_.piece(o.segment);
+  const Spiral_piece_2 piece = curves_.piece(o.segment);
   const double before = q.point.y - piece.first.point.y, after = piece.last.point.y - q.point.y;
   if (before > CLEAR * q.error && after > CLEAR * q.error) return 1;
   return before < -CLEAR * q.error && after < -CLEAR * q.error ? -1 : 0;
@@ -164,7 +164,7 @@ void Component_rays::add_clear_hits(const Asked_point& q, std::uint32_t own_segm
   for_each_item(curves_.boxes(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
     const std::uint32_t segment = node.child[k];
     if (segment == own_segment || !holds_point(boxes_[component_[curves_.place(segment).curve]])) return true;
-    const Spiral_piece_2& piece = curves_.piece(segment);
+    const Spiral_piece_2 piece = curves_.piece(segment);
     const std::uint32_t bezier = curves_.bezier_of(segment);
     // ends may be others' ends, or cuts, too: all of them are on the same side of the exact height
     const auto is_near_end = [&](const Spiral_sample& s) {
@@ -185,7 +185,7 @@ void Component_rays::add_clear_hits(const Asked_point& q, std::uint32_t own_segm
 
 // The edge at which a segment, which is monotone, crosses a height, if it does; nothing where a cut is next to it.
 std::optional<std::uint32_t> Component_rays::edge_of_crossing(const Asked_point& q, std::uint32_t segment) const {
-  const Spiral_piece_2& piece = curves_.piece(segment);
+  const Spiral_piece_2 piece = curves_.piece(segment);
   const std::uint32_t bezier = curves_.bezier_of(segment);
   const auto [first, end] = cut_.cuts_of_bezier(bezier);
   const bool is_below = piece.first.point.y < q.point.y;

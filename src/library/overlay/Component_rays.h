@@ -14,8 +14,8 @@
 
 #include "Cut_curves.h"
 
-#include <CGAL/Bounding_arcs_2/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../query/Winding_search.h"
 
 #include <CGAL/Bbox_2.h>
 

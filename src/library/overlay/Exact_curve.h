@@ -10,8 +10,8 @@
 #include "Exact_parameter.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
-#include <CGAL/Bounding_arcs_2/query/exact_crossings.h>
+#include "../curve/Integer_piece.h"
+#include "../query/exact_crossings.h"
 
 #include <optional>
 #include <vector>

@@ -7,10 +7,10 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_EXACT_PARAMETER_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_EXACT_PARAMETER_H
 
-#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
+#include "../curve/Integer_piece.h"
+#include "../polynomial/Real_root.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>

@@ -7,7 +7,7 @@
 #include "Meeting_places.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/line_pairs.h>
+#include "../query/line_pairs.h"
 
 #include <CGAL/FPU.h>
 #include <CGAL/number_utils.h>

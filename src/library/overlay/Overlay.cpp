@@ -7,7 +7,7 @@
 #include "Overlay.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
+#include "../query/Intersection_search.h"
 
 #include <algorithm>
 #include <limits>

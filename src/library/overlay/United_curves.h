@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The segments of several trees as one list, whose pieces know where they come from.
+// The segments of several trees as one forest, whose pieces know where they come from.
 
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
@@ -29,27 +29,27 @@ struct Operand_bezier {
 /// points.
 struct United_curves {
   std::shared_ptr<const Segment_hierarchy> segments;
-  std::shared_ptr<Segment_hierarchy> own;  ///< the same, where they are not those of a tree
-  Unit unit;                               ///< of the segments
-  std::vector<Operand_bezier> beziers;     ///< numbered through
-  std::vector<std::uint32_t> operands;     ///< by curve
+  std::shared_ptr<Segment_hierarchy> forest;  ///< the same, where they are not those of one tree
+  Unit unit;                                  ///< of the segments
+  std::vector<Operand_bezier> beziers;        ///< numbered through
+  std::vector<std::uint32_t> operands;        ///< by curve
 };
 /// What becomes of curves that are single points.
 enum class Lone_points { DROPPED, KEPT };
 
-/// Unites the segments of trees, or shares the segments of one tree without points.
+/// Unites the segments of trees, each where it is; trees with points leave these out in a list of their own.
 [[nodiscard]] inline United_curves united_curves(const std::vector<const Bounding_arc_tree_2*>& trees,
                                                  Lone_points points) {
   United_curves united;
   for (const Bounding_arc_tree_2* tree : trees) united.unit = (std::max)(united.unit, tree->unit());
   std::vector<std::shared_ptr<const Segment_hierarchy>> all;
-  std::vector<Segment_hierarchy::Bezier_number> kept;
-  std::size_t count = 0;
+  all.reserve(trees.size());
+  std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < trees.size(); ++i) {
     all.push_back(trees[i]->in_unit(united.unit));
     const Segment_hierarchy& segments = *all.back();
-    count += segments.number_of_beziers();
     const auto& curves = segments.drawing().curves();
+    kept.clear();
     for (std::uint32_t c = 0; c < curves.size(); ++c) {
       const std::size_t before = united.beziers.size();
       for (std::uint32_t b = 0; b < curves[c].beziers.size(); ++b) {
@@ -57,13 +57,15 @@ enum class Lone_points { DROPPED, KEPT };
         const bool is_last = b + 1 == curves[c].beziers.size() && united.beziers.size() == before;
         if (segments.is_point(number) && !(is_last && points == Lone_points::KEPT)) continue;
         united.beziers.push_back({i, c, b});
-        kept.push_back({i, number});
+        kept.push_back(number);
       }
       if (united.beziers.size() > before) united.operands.push_back(i);
     }
+    if (kept.size() < segments.number_of_beziers())
+      all.back() = std::make_shared<const Segment_hierarchy>(segments.of_pieces(kept));
   }
-  if (all.size() == 1 && kept.size() == count) united.segments = all.front();
-  else united.segments = united.own = std::make_shared<Segment_hierarchy>(Segment_hierarchy::united(all, kept));
+  if (all.size() == 1) united.segments = std::move(all.front());
+  else united.segments = united.forest = std::make_shared<Segment_hierarchy>(all);
   return united;
 }
 

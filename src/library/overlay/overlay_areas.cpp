@@ -6,12 +6,12 @@
 
 #include "Boundary_sum.h"
 
-#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
-#include <CGAL/Bounding_arcs_2/curve/green.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include "../curve/Integer_piece.h"
+#include "../curve/green.h"
+#include "../query/query_units.h"
 
 #include <CGAL/number_utils.h>
 

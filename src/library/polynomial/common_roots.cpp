@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Bounding_arcs_2/polynomial/common_roots.h>
+#include "common_roots.h"
 
-#include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
+#include "Real_root.h"
 
 #include <CGAL/polynomial_utils.h>
 

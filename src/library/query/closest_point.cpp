@@ -6,7 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "query_units.h"
 
 #include <limits>
 #include <optional>

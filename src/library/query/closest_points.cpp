@@ -5,9 +5,9 @@
 // Bodies of query/closest_points.h.
 
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Feet_search.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Nearest_curves_search.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Feet_search.h"
+#include "Nearest_curves_search.h"
+#include "query_units.h"
 
 #include <cmath>
 #include <cstddef>

@@ -6,12 +6,12 @@
 
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Hull_chain.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Hull_outline.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Hull_parts.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Hull_samples.h>
-#include <CGAL/Bounding_arcs_2/query/internal/polygon_measures.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Hull_chain.h"
+#include "Hull_outline.h"
+#include "Hull_parts.h"
+#include "Hull_samples.h"
+#include "polygon_measures.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <optional>

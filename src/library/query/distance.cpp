@@ -4,9 +4,9 @@
 //
 // Bodies of query/distance.h.
 
-#include <CGAL/Bounding_arcs_2/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Distance_search.h"
+#include "query_units.h"
 
 #include <cmath>
 #include <optional>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Circle_search.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Circle_search.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Bounding_arcs_2/query/exact_crossings.h>
+#include "exact_crossings.h"
 
 #include <CGAL/number_utils.h>
 

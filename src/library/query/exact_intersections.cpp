@@ -11,12 +11,12 @@
 #pragma GCC diagnostic ignored "-Wuse-after-free"
 #endif
 
-#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Common_factor.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
-#include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Common_zeros.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Level_arcs.h>
+#include "exact_intersections.h"
+#include "../curve/Integer_piece.h"
+#include "../polynomial/Common_factor.h"
+#include "Common_zeros.h"
+#include "Level_arcs.h"
+#include "exact_meetings.h"
 
 #include <CGAL/FPU.h>
 

@@ -4,10 +4,10 @@
 //
 // Bodies of query/hausdorff_distance.h.
 
-#include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Hausdorff_search.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 //
 // Bodies of query/intersections.h.
 
-#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Intersection_search.h"
+#include "query_units.h"
 
 #include <optional>
 

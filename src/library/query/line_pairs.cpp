@@ -8,8 +8,8 @@
 // segment from a to b is (p.x - a.x) / (b.x - a.x), or that by y where it is longer.  Where both differences are
 // doubles, their quotient errs by half an ulp; otherwise it is a quotient of rational numbers.
 
+#include "line_pairs.h"
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/query/line_pairs.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>

@@ -8,11 +8,11 @@
 
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Area_sum.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Length_sum.h>
-#include <CGAL/Bounding_arcs_2/query/internal/double_double_area.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Area_sum.h"
+#include "Length_sum.h"
+#include "double_double_area.h"
+#include "query_units.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>

@@ -5,11 +5,11 @@
 // Bodies of query/piece_pair_intersections.h.
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Polygon_search.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include "../curve/exact_bezier.h"
+#include "Polygon_search.h"
+#include "exact_intersections.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 // Bodies of point_location.h.
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include "Winding_search.h"
+#include "query_units.h"
 
 namespace CGAL::Bounding_arcs {
 

@@ -6,10 +6,10 @@
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Ray_filter.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Ray_search.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
+#include "Ray_filter.h"
+#include "Ray_search.h"
+#include "query_units.h"
 
 #include <CGAL/number_utils.h>
 

@@ -4,15 +4,15 @@
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/query/Distance_search.h>
-#include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
-#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
-#include <CGAL/Bounding_arcs_2/query/query_units.h>
-#include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
-#include <CGAL/Bounding_arcs_2/study/internal/Region_descent.h>
-#include <CGAL/Bounding_arcs_2/study/internal/least_seconds.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include "../query/Distance_search.h"
+#include "../query/Hausdorff_search.h"
+#include "../query/Intersection_search.h"
+#include "../query/query_units.h"
+#include "Region_descent.h"
+#include "Region_hierarchy.h"
+#include "least_seconds.h"
 
 #include <algorithm>
 #include <cmath>

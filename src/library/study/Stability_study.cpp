@@ -23,8 +23,8 @@
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
-#include <CGAL/Bounding_arcs_2/study/internal/plain_frame.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
+#include "plain_frame.h"
 
 #include <algorithm>
 #include <cmath>

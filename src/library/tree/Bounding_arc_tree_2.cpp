@@ -46,7 +46,11 @@ std::shared_ptr<Segment_hierarchy> Bounding_arc_tree_2::made_in(const Unit& unit
 }
 std::shared_ptr<const Segment_hierarchy> Bounding_arc_tree_2::in_unit(const Unit& unit) const {
   if (unit == unit_) return segments_;
-  if (!segments_->is_rounded()) return made_in(unit, nullptr, segments_->decisions());
+  if (!segments_->is_rounded()) {
+    if (!keeps(unit, drawing())) return made_in(unit, nullptr, segments_->decisions());
+    auto in_other = std::make_shared<const Drawing_2<double>>(scaled(drawing(), unit));
+    return std::make_shared<const Segment_hierarchy>(std::move(in_other), *segments_);
+  }
   const Drawing_2<Exact_rational> exact = exact_drawing();
   return made_in(unit, &exact, segments_->decisions());
 }

@@ -5,12 +5,12 @@
 // How a hierarchy is made: segments of each Bezier piece, samples at their ends, fat arcs, boxes.
 
 #include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
+#include "../curve/exact_bezier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +44,11 @@ static double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
 
 Segment_hierarchy::Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions)
     : drawing_(std::make_shared<const Drawing_2<double>>(converted<double>(drawing))), decisions_(decisions) {
-  build(&drawing);
+  is_rounded_ = !drawing.curves().empty();
+  build(&drawing, nullptr);
 }
 
-void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
+void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact, const Segment_hierarchy* cut) {
   std::size_t count = 0;
   for (const auto& curve : drawing_->curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
@@ -64,7 +65,7 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
         exact_.push_back(exact->curves()[i].beziers[j]);
         roundings_.push_back(rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
       }
-      add_segments(curve.beziers[j], bezier,
+      add_segments(curve.beziers[j], cut == nullptr ? spiral_parameters(curve.beziers[j]) : cut->cuts(bezier), bezier,
                    bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)));
     }
   }
@@ -77,66 +78,79 @@ Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& par
   for (const Segment_part& part : parts) {
     const Segment& whole = segments_[part.piece.segment];
     Segment s = whole;
-    s.piece = part.piece;
-    s.piece.segment = static_cast<std::uint32_t>(result.segments_.size());
+    s.first = part.piece.first;
+    s.last = part.piece.last;
     s.error = part.error;
-    if (s.piece.first.t != whole.piece.first.t) s.place.first = Cut_reason::JOINT;
-    if (s.piece.last.t != whole.piece.last.t) s.place.last = Cut_reason::JOINT;
+    if (s.first.t != whole.first.t) s.place.first = Cut_reason::JOINT;
+    if (s.last.t != whole.last.t) s.place.last = Cut_reason::JOINT;
     if (part.moved) result.move(s, *part.moved);
-    s.set_region(fat_arc(s.piece, s.error));
+    s.set_region(fat_of(s));
     result.segments_.push_back(s);
   }
   return result;
 }
 
-Segment_hierarchy Segment_hierarchy::united(const std::vector<std::shared_ptr<const Segment_hierarchy>>& all,
-                                            const std::vector<Bezier_number>& kept) {
-  Segment_hierarchy result;
-  bool is_rounded = false;
-  std::size_t segments = 0;
-  for (const auto& of : all) {
-    is_rounded = is_rounded || of->is_rounded();
+Segment_hierarchy::Segment_hierarchy(const std::vector<std::shared_ptr<const Segment_hierarchy>>& members) {
+  std::size_t beziers = 0, segments = 0;
+  for (const auto& of : members) {
+    beziers += of->number_of_beziers();
     segments += of->number_of_segments();
-    if (of->decisions() == Decisions::DOUBLE) result.decisions_ = Decisions::DOUBLE;
   }
+  members_.reserve(members.size());
+  member_of_bezier_.reserve(beziers);
+  member_of_segment_.reserve(segments);
+  Drawing_2<double> drawing;
+  for (const auto& of : members) {
+    const auto number = static_cast<std::uint32_t>(members_.size()),
+               first_bezier = static_cast<std::uint32_t>(member_of_bezier_.size());
+    members_.push_back({of, static_cast<std::uint32_t>(drawing.curves().size()), first_bezier,
+                        static_cast<std::uint32_t>(member_of_segment_.size())});
+    member_of_bezier_.resize(member_of_bezier_.size() + of->number_of_beziers(), number);
+    member_of_segment_.resize(member_of_segment_.size() + of->number_of_segments(), number);
+    for (const std::uint32_t first : of->first_bezier_) first_bezier_.push_back(first_bezier + first);
+    for (const std::uint32_t tip : of->hidden_tips_) hidden_tips_.push_back(first_bezier + tip);
+    drawing.add(of->drawing());
+    is_rounded_ = is_rounded_ || of->is_rounded();
+    if (of->decisions() == Decisions::DOUBLE) decisions_ = Decisions::DOUBLE;
+  }
+  drawing_ = std::make_shared<const Drawing_2<double>>(std::move(drawing));
+}
+
+Segment_hierarchy Segment_hierarchy::of_pieces(const std::vector<std::uint32_t>& kept) const {
+  Segment_hierarchy result;
+  result.decisions_ = decisions_;
+  result.is_rounded_ = is_rounded_;
   result.evaluators_.reserve(kept.size());
-  result.segments_.reserve(segments);
+  result.segments_.reserve(segments_.size());
   Drawing_2<double> drawing;
   for (std::size_t begin = 0, end = 0; begin < kept.size(); begin = end) {
-    const Segment_hierarchy& of = *all[kept[begin].hierarchy];
-    const std::size_t curve = of.curve_of_bezier(kept[begin].bezier);
-    while (end < kept.size() && kept[end].hierarchy == kept[begin].hierarchy &&
-           of.curve_of_bezier(kept[end].bezier) == curve)
-      ++end;
+    const std::size_t curve = curve_of_bezier(kept[begin]);
+    while (end < kept.size() && curve_of_bezier(kept[end]) == curve) ++end;
     std::vector<Bezier_curve_2<double>> chain;
     chain.reserve(end - begin);
-    for (std::size_t i = begin; i < end; ++i) chain.push_back(of.bezier(kept[i].bezier));
-    drawing.add(std::move(chain), of.drawing().curves()[curve].name);
+    for (std::size_t i = begin; i < end; ++i) chain.push_back(bezier(kept[i]));
+    drawing.add(std::move(chain), drawing_->curves()[curve].name);
     result.first_bezier_.push_back(static_cast<std::uint32_t>(begin));
-    for (std::size_t i = begin; i < end; ++i) {
-      const Segment_place place =
-          bezier_place(drawing.curves().back(), static_cast<std::uint32_t>(drawing.curves().size() - 1),
-                       static_cast<std::uint32_t>(i - begin));
-      result.add_copies(of, kept[i].bezier, place, is_rounded);
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      result.add_copies(*this, kept[i],
+                        bezier_place(drawing.curves().back(), static_cast<std::uint32_t>(drawing.curves().size() - 1),
+                                     static_cast<std::uint32_t>(i - begin)));
   }
   result.drawing_ = std::make_shared<const Drawing_2<double>>(std::move(drawing));
   return result;
 }
 
 // Appends the segments that another hierarchy has of a Bezier piece.
-void Segment_hierarchy::add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place,
-                                   bool is_rounded) {
+void Segment_hierarchy::add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place) {
   const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
   evaluators_.push_back(of.evaluators_[number]);
-  if (is_rounded) {
-    exact_.push_back(of.exact_bezier(number));
-    roundings_.push_back(of.rounding(number));
+  if (is_rounded_) {
+    exact_.push_back(of.exact_[number]);
+    roundings_.push_back(of.roundings_[number]);
   }
   const std::size_t first = segments_.size();
   for (auto s = of.first_segment(number); s != of.segments_.end() && s->bezier == number; ++s) {
     Segment copy = *s;
-    copy.piece.segment = static_cast<std::uint32_t>(segments_.size());
     copy.place.curve = place.curve;
     copy.place.bezier = place.bezier;
     copy.bezier = bezier;
@@ -201,7 +215,6 @@ void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<d
   for (Segment& s : made.segments_) {
     s.place.curve += static_cast<std::uint32_t>(first);
     s.bezier += begin;
-    s.piece.segment += static_cast<std::uint32_t>(from);
   }
   const std::size_t made_curves = made.first_bezier_.size();
   splice(first_bezier_, first, last, made.first_bezier_);
@@ -213,12 +226,10 @@ void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<d
     for (std::size_t i = from + made_segments; i < segments_.size(); ++i) {
       segments_[i].place.curve += curve_change;
       segments_[i].bezier += bezier_change;
-      segments_[i].piece.segment = static_cast<std::uint32_t>(i);
     }
   hidden_tips_ = std::move(tips);
   coarse_cuts_ = std::move(coarse);
-  if (Box_tree* made_boxes = boxes->made())
-    made_boxes->refit(from, to, [&](std::size_t i) { return box(segments_[i].piece); });
+  if (Box_tree* made_boxes = boxes->made()) made_boxes->refit(from, to, [&](std::size_t i) { return box_at(i); });
   boxes_ = std::move(boxes);
   drawing_ = own_drawing_ = std::move(drawing);
 }
@@ -228,7 +239,7 @@ void Segment_hierarchy::move(Segment& s, const Bezier_curve_2<double>& curve) {
   s.bezier = static_cast<std::uint32_t>(evaluators_.size());
   evaluators_.emplace_back(curve);
   if (is_rounded()) roundings_.push_back(0);
-  for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+  for (Spiral_sample* end : {&s.first, &s.last}) {
     const Spiral_sample before = *end;
     *end = sample_of(s.bezier, end->t, evaluators_.back()(end->t));
     constexpr double GOOD = 0x1p-24;
@@ -237,22 +248,20 @@ void Segment_hierarchy::move(Segment& s, const Bezier_curve_2<double>& curve) {
   if (s.is_straight) straighten(s);
 }
 
-void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,
-                                     const Segment_place& place) {
-  const Spiral_parameters cuts = spiral_parameters(curve);
+void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts,
+                                     std::uint32_t bezier, const Segment_place& place) {
   const std::size_t first = segments_.size();
   constexpr double OF_ENDS_AND_CUTS = 4 * HALF_ULP;  // of points and of parameters
   const double error =
       evaluators_[bezier].point_error() + OF_ENDS_AND_CUTS * evaluators_[bezier].coordinate_size() + rounding(bezier);
-  Segment segment{{}, error, place, bezier, cuts.is_straight};
+  Segment segment{{}, {}, error, 0, 0, place, bezier, cuts.is_straight};
   double t0 = 0;
   for (std::size_t i = 0; i <= cuts.breaks.size(); ++i) {
     const bool is_last = i == cuts.breaks.size();
     const double t1 = is_last ? 1 : cuts.breaks[i];
     segment.place.last = is_last ? place.last : cuts.reasons[i];
-    segment.piece.segment = static_cast<std::uint32_t>(segments_.size());
-    segment.piece.first = i == 0 ? sample_of(bezier, t0, evaluators_[bezier](t0)) : segment.piece.last;
-    segment.piece.last = sample_of(bezier, t1, evaluators_[bezier](t1));
+    segment.first = i == 0 ? sample_of(bezier, t0, evaluators_[bezier](t0)) : segment.last;
+    segment.last = sample_of(bezier, t1, evaluators_[bezier](t1));
     segments_.push_back(segment);
     segment.place.first = segment.place.last;
     t0 = t1;
@@ -262,11 +271,9 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
                               may_turn_beside_end(segments_.back(), false);
   if (has_hidden_tip) hidden_tips_.push_back(bezier);
   for (std::size_t i = first; i < segments_.size(); ++i) {
-    segments_[i].piece.segment = static_cast<std::uint32_t>(i);
     if (has_hidden_tip)
-      segments_[i].piece.first.tangent_error = segments_[i].piece.last.tangent_error =
-          std::numeric_limits<double>::infinity();
-    segments_[i].set_region(region(segments_[i].piece));
+      segments_[i].first.tangent_error = segments_[i].last.tangent_error = std::numeric_limits<double>::infinity();
+    segments_[i].set_region(fat_of(segments_[i]));
   }
 }
 
@@ -289,16 +296,16 @@ bool Segment_hierarchy::may_turn_beside_end(const Segment& s, bool at_start) con
   if (length <= SHORT * curve.coordinate_size() &&
       !(euclidean_norm(jet.first) >= CERTAIN * curve.errors_at(t, jet).first))
     return true;
-  const Spiral_sample& end = at_start ? s.piece.first : s.piece.last;
+  const Spiral_sample& end = at_start ? s.first : s.last;
   const double room = end.tangent_error + 8 * HALF_ULP + 4 * rounding(s.bezier) / length;
   return room < 1 && !(dot(way, end.tangent) > 0 && std::fabs(cross(way, end.tangent)) <= room * length);
 }
 
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.
 void Segment_hierarchy::straighten(Segment& s) {
-  const Xy<double> chord = s.piece.last.point - s.piece.first.point;
+  const Xy<double> chord = s.last.point - s.first.point;
   const double length = stable_norm(chord);
-  for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+  for (Spiral_sample* end : {&s.first, &s.last}) {
     if (length > 0) end->tangent = {chord.x / length, chord.y / length};
     end->tangent_error = 2 * s.error / length + 4 * HALF_ULP;
     end->most_curvature = end->least_curvature = 0;
@@ -314,7 +321,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
   for (std::size_t i = first; i < segments_.size(); ++i) {
     Segment& s = segments_[i];
     if (!s.is_straight) {
-      is_good = is_good && s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD;
+      is_good = is_good && s.first.tangent_error <= GOOD && s.last.tangent_error <= GOOD;
       continue;
     }
     straighten(s);
@@ -335,7 +342,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
       continue;
     }
     s.error += spirals[i].cut_error();
-    if (s.is_straight || (s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD)) continue;
+    if (s.is_straight || (s.first.tangent_error <= GOOD && s.last.tangent_error <= GOOD)) continue;
     const Chord_shape_2<double> shape =
         spirals[i].accurate_shape(spirals[i].first(), spirals[i].last(), {false, false});
     const auto mend = [&](Spiral_sample& end, const Xy<double>& tangent) {
@@ -345,8 +352,8 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
       // of rounded control points the direction at a cusp may be another one
       if (rounding(s.bezier) == 0) end.tangent_error = 8 * HALF_ULP;
     };
-    mend(s.piece.first, shape.tangent0);
-    mend(s.piece.last, shape.tangent1);
+    mend(s.first, shape.tangent0);
+    mend(s.last, shape.tangent1);
   }
   if (!coarse.empty()) coarse_cuts_.emplace(std::uint32_t(segments_[first].bezier), cuts);
   for (std::size_t i = coarse.size(); i-- > 0;) separate_cuts(coarse[i], coarse_errors[i]);
@@ -357,12 +364,12 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
 void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
   constexpr double WIDTH = 2 * CUT_WIDTH;  // rounding of cuts and of these ends has room
   Segment whole = segments_[segment];
-  if (whole.is_straight && whole.piece.first.point == whole.piece.last.point) {
+  if (whole.is_straight && whole.first.point == whole.last.point) {
     segments_[segment].error += cut_error;
     return;
   }
-  const double t0 = whole.piece.first.t + WIDTH, t1 = whole.piece.last.t - WIDTH;
-  for (Spiral_sample* end : {&whole.piece.first, &whole.piece.last}) {
+  const double t0 = whole.first.t + WIDTH, t1 = whole.last.t - WIDTH;
+  for (Spiral_sample* end : {&whole.first, &whole.last}) {
     end->tangent_error = end->most_curvature = std::numeric_limits<double>::infinity();
     end->least_curvature = 0;
   }
@@ -374,18 +381,18 @@ void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
     const double speed = euclidean_norm(jet.first) + curve.errors_at(t, jet).first + WIDTH * curve.second_bound();
     return (std::min)(cut_error, WIDTH * speed * (1 + 0x1p-40));
   };
-  before.error = whole.error + way_at(whole.piece.first.t);
-  behind.error = whole.error + way_at(whole.piece.last.t);
+  before.error = whole.error + way_at(whole.first.t);
+  behind.error = whole.error + way_at(whole.last.t);
   if (!(t0 < t1)) {
     before.error = whole.error + cut_error;
     segments_[segment] = before;
     return;
   }
-  inside.piece.first = sample_of(whole.bezier, t0, curve(t0));
-  inside.piece.last = sample_of(whole.bezier, t1, curve(t1));
+  inside.first = sample_of(whole.bezier, t0, curve(t0));
+  inside.last = sample_of(whole.bezier, t1, curve(t1));
   if (whole.is_straight) straighten(inside);
-  before.piece.last = inside.piece.first;
-  behind.piece.first = inside.piece.last;
+  before.last = inside.first;
+  behind.first = inside.last;
   before.place.last = inside.place.first;
   behind.place.first = inside.place.last;
   segments_[segment] = before;
@@ -406,15 +413,20 @@ Spiral_parameters Segment_hierarchy::cuts(std::uint32_t bezier) const {
   Spiral_parameters cuts;
   auto s = first_segment(bezier);
   cuts.is_straight = s->is_straight;
+  cuts.has_hidden_tip = std::binary_search(hidden_tips_.begin(), hidden_tips_.end(), bezier);
   for (; s + 1 != segments_.end() && (s + 1)->bezier == bezier; ++s) {
-    cuts.breaks.push_back(s->piece.last.t);
+    cuts.breaks.push_back(s->last.t);
     cuts.reasons.push_back(s->place.last);
   }
   return cuts;
 }
 
 Segment_hierarchy::Exact_bezier Segment_hierarchy::exact_bezier(std::uint32_t bezier) const {
-  if (!exact_.empty()) return exact_[bezier];
+  if (is_forest()) {
+    const Member& member = members_[member_of_bezier_[bezier]];
+    return member.of->exact_bezier(bezier - member.first_bezier);
+  }
+  if (is_rounded_) return exact_[bezier];
   return Bounding_arcs::exact_bezier(this->bezier(bezier));
 }
 

@@ -6,8 +6,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/verify/internal/Axis_checker.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
+#include "Axis_checker.h"
 
 #include <stdexcept>
 

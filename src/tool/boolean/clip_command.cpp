@@ -16,7 +16,6 @@
 #include "../usage.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/clip.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
 
 #include <CLI/CLI.hpp>
 
@@ -80,8 +79,7 @@ Clipped clipped(const Clip_words& words) {
     if (words.keep != name_of(part.side)) continue;
     if (made.paths.empty() || !goes_on(made.paths.back().parts.back(), part)) made.paths.emplace_back();
     made.paths.back().parts.push_back(part);
-    made.paths.back().pieces.push_back(ba::internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier],
-                                                                   part.from, part.to, false, part.start, part.end));
+    made.paths.back().pieces.push_back(curve_of(part, drawing));
   }
   join_ends(made.paths);
   return made;

@@ -72,7 +72,7 @@ int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const cha
 }
 
 void expect_no_crossing(const Query_drawing& loaded, const char* command) {
-  const auto common = ba::internal::self_intersections(*loaded.curves);
+  const auto common = ba::self_intersections(*loaded.curves);
   if (common.points.empty() && common.overlaps.empty()) return;
   throw Input_error(loaded.file, command,
                     "expected curves that do not cross, or a frame, found a crossing; --frame makes one");

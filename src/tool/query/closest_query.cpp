@@ -49,7 +49,7 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
   Progress_line progress("points");
   for (const Xy<double>& q : points) {
     progress(results.size(), points.size());
-    const auto found = ba::internal::signed_distance(curves, q, drawing.rule);
+    const auto found = ba::signed_distance(curves, q, drawing.rule);
     if (!found) continue;
     results.push_back({{"query", json_of(q)},
                        {"distance", {found->distance.lower, found->distance.upper}},

@@ -24,6 +24,10 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& region,
                              Fill_rule rule = Fill_rule::NONZERO);
 
+/// Returns a part as a curve: cut out in doubles, with the part's ends bit for bit.
+/// \param drawing that of the tree that was clipped
+[[nodiscard]] Bezier_curve_2<double> curve_of(const Clipped_part& part, const Drawing_2<double>& drawing);
+
 }  // namespace CGAL::Bounding_arcs
 
 #endif

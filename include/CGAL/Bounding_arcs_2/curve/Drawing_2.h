@@ -82,6 +82,9 @@ template <class NT> class Drawing_2 {
     curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed, nullptr});
   }
 
+  /// Appends the curves of another drawing.
+  void add(const Drawing_2& other) { curves_.insert(curves_.end(), other.curves_.begin(), other.curves_.end()); }
+
   /// Puts the curves of another drawing in the place of curves first, ..., last - 1.
   /// \pre first <= last <= the number of curves
   void replace(std::size_t first, std::size_t last, Drawing_2 others) {

@@ -41,7 +41,7 @@ inline void add_to_drawing(Drawing_2<double>& drawing, const std::vector<Arc_2>&
 template <class Kernel, class Container>
 void add_to_drawing(Drawing_2<double>& drawing, const CGAL::Polygon_2<Kernel, Container>& polygon,
                     std::string name = {}) {
-  const std::vector<Xy<double>> corners = xy_of_points<double>(polygon.container());
+  const std::vector<Xy<double>> corners = points_of_kernel<double>(polygon.container());
   std::vector<Arc_2> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) sides.push_back({corners[i], corners[(i + 1) % corners.size()], 0});
   add_to_drawing(drawing, sides, std::move(name));

@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_ARCS_OF_KERNEL_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/exchange/internal/curves_of_points.h>
+#include <CGAL/Bounding_arcs_2/number/points_of_kernel.h>
 #include <CGAL/Bounding_arcs_2/region/variant.h>
 
 #include <CGAL/Circular_arc_2.h>
@@ -42,12 +42,12 @@ namespace CGAL::Bounding_arcs {
 
 /// An arc of a kernel, rounded to doubles, in arcs of at most half a circle.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Circular_arc_2<CK>& arc) {
-  return arcs_on_circle(xy_of_point<double>(arc.source()), xy_of_point<double>(arc.target()),
-                        xy_of_point<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
+  return arcs_on_circle(point_of_kernel<double>(arc.source()), point_of_kernel<double>(arc.target()),
+                        point_of_kernel<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
 }
 /// A segment as an arc without bulge.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Line_arc_2<CK>& segment) {
-  return {{xy_of_point<double>(segment.source()), xy_of_point<double>(segment.target()), 0}};
+  return {{point_of_kernel<double>(segment.source()), point_of_kernel<double>(segment.target()), 0}};
 }
 /// An x-monotone curve of Arr_circular_line_arc_traits_2, which is one of the two.
 template <class CK>
@@ -57,10 +57,10 @@ template <class CK>
 }
 /// An x-monotone curve of Arr_circle_segment_traits_2, or what has its members.
 template <class Curve> [[nodiscard]] std::vector<Arc_2> arcs_of_part(const Curve& part) {
-  const Xy<double> from = xy_of_point<double>(part.source()), to = xy_of_point<double>(part.target());
+  const Xy<double> from = point_of_kernel<double>(part.source()), to = point_of_kernel<double>(part.target());
   if (part.orientation() == CGAL::COLLINEAR) return {{from, to, 0}};
   const auto& circle = part.supporting_circle();
-  return arcs_on_circle(from, to, xy_of_point<double>(circle.center()), CGAL::to_double(circle.squared_radius()),
+  return arcs_on_circle(from, to, point_of_kernel<double>(circle.center()), CGAL::to_double(circle.squared_radius()),
                         part.orientation() == CGAL::COUNTERCLOCKWISE);
 }
 

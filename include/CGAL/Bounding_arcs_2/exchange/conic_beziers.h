@@ -18,11 +18,11 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_CONIC_BEZIERS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/exchange/internal/curves_of_points.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/points_of_kernel.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -129,7 +129,7 @@ template <class NT>
 template <class Arc> [[nodiscard]] std::vector<Bezier_curve_2<double>> conic_beziers(const Arc& arc) {
   using NT = std::decay_t<decltype(arc.source().x())>;
   if (arc.orientation() == CGAL::COLLINEAR)
-    return {Bezier_curve_2<double>({xy_of_point<double>(arc.source()), xy_of_point<double>(arc.target())})};
+    return {Bezier_curve_2<double>({point_of_kernel<double>(arc.source()), point_of_kernel<double>(arc.target())})};
   const Conic_equation<NT> conic{NT(arc.r()), NT(arc.s()), NT(arc.t()), NT(arc.u()), NT(arc.v()), NT(arc.w())};
   const bool ccw = arc.orientation() == CGAL::COUNTERCLOCKWISE;
   if (arc.is_full_conic()) {

@@ -22,10 +22,15 @@ template <class Range> using Element_of = std::decay_t<decltype(*std::begin(std:
 /// The representation of what is in a range: there is one of points of a kernel only.
 template <class Range> using Kernel_of_range = typename Element_of<Range>::R;
 
-/// Returns points of a kernel over another number type: exactly where that holds them, else rounded.
+/// Returns a point of a kernel, or what has x() and y(), over another number type: exactly where that holds it, else as
+/// CGAL::to_double rounds it.
+template <class NT, class Point> [[nodiscard]] Xy<NT> point_of_kernel(const Point& p) {
+  return {convert<NT>(p.x()), convert<NT>(p.y())};
+}
+/// Returns all points of a range in this way.
 template <class NT, class Points> [[nodiscard]] std::vector<Xy<NT>> points_of_kernel(const Points& points) {
   std::vector<Xy<NT>> result;
-  for (const auto& p : points) result.push_back({convert<NT>(p.x()), convert<NT>(p.y())});
+  for (const auto& p : points) result.push_back(point_of_kernel<NT>(p));
   return result;
 }
 

@@ -76,13 +76,15 @@ template <class Points> [[nodiscard]] std::vector<Asked_point> asked(const Point
   return std::vector<Asked_point>(std::begin(points), std::end(points));
 }
 
-/// Returns a point, or a vector, as one of a kernel, or in doubles.
-template <class Point> [[nodiscard]] Point answered(const Xy<double>& p) {
-  if constexpr (std::is_same_v<Point, Xy<double>>) {
+/// Returns a point, or a vector, of an answer as one of a kernel, or in plain doubles.
+template <class Point, class Given> [[nodiscard]] Point answered(const Given& p) {
+  if constexpr (std::is_same_v<Point, Given>) {
     return p;
-  } else {
+  } else if constexpr (std::is_same_v<Given, Xy<double>>) {
     using FT = typename Kernel_of<Point>::FT;
     return Point(FT(p.x), FT(p.y));
+  } else {
+    return answered<Point>(Xy<double>{CGAL::to_double(p.x()), CGAL::to_double(p.y())});
   }
 }
 /// Returns several answers with other points.

@@ -5,7 +5,7 @@
 // Common points of two single Bezier pieces, from their control points: for drawings see intersections.h.
 //
 // The plain algorithm is exact_intersections.  Before it stands a search in doubles over control polygons
-// (query/internal/Polygon_search.h); where it leaves anything open, it is forgotten.
+// (src/library/query/Polygon_search.h); where it leaves anything open, it is forgotten.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H

@@ -58,7 +58,8 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
 /// \guarantee exact: no root is missed, each, rounded to the nearest double, is a break or within 2^-51 of a break or
 ///   an end; each break is a correctly rounded root; breaks are more than 2^-51 apart and from the ends; `is_...` are
 ///   decided exactly. Numbers of type double, float, long double are taken for what they are; others must have exact
-///   field operations, signs and to_interval. See `isolate_roots` for complex roots within rounding of the real axis.
+///   field operations, signs and to_interval. A pair of complex roots as near to the real axis as rounding can tell may
+///   add one break, and never hides one.
 /// \complexity polynomials of degree up to 4 n - 7, for rational curves 8 n - 11, in interval arithmetic; exact
 ///   arithmetic for multiple roots, roots shared by an end and identically vanishing polynomials
 template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {

@@ -96,7 +96,7 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] const Unit& unit() const { return unit_; }
   /// The segments in that unit.
   [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
-  /// The segments in another unit. \complexity as that of the constructor, but for the same unit
+  /// The segments in another unit. \complexity linear in their number, without a cut as a rule; none for the same unit
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
 
  private:

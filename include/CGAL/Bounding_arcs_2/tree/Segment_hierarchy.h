@@ -59,46 +59,68 @@ class Segment_hierarchy {
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
   Segment_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions)
       : drawing_(std::move(drawing)), decisions_(decisions) {
-    build(nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
+    build(nullptr,
+          nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
+  }
+  /// Takes the curves of another hierarchy in another unit, and cuts them where that does.
+  /// \pre these are the same curves but for a power of two, which takes nothing of them; that is no forest, nor parted
+  Segment_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, const Segment_hierarchy& cut)
+      : drawing_(std::move(drawing)), decisions_(cut.decisions_) {
+    build(nullptr, &cut);
   }
   /// Takes curves over numbers that need not be doubles.
   Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions);
 
   /// Returns a hierarchy of the same curves whose segments are parts of these.
   /// \param parts of all segments, in their order; what they are cut at is a joint
+  /// \pre this is no forest
   [[nodiscard]] Segment_hierarchy parted(const std::vector<Segment_part>& parts) const;
 
-  /// A Bezier piece of one of several hierarchies.
-  struct Bezier_number {
-    std::uint32_t hierarchy, bezier;
-  };
-  /// Returns hierarchies in one unit as one, with the segments that they have.
-  /// \param kept the Bezier pieces that it is of, in their order; each chain stays connected without the others
-  [[nodiscard]] static Segment_hierarchy united(const std::vector<std::shared_ptr<const Segment_hierarchy>>& all,
-                                                const std::vector<Bezier_number>& kept);
+  /// Takes hierarchies in one unit as one, a forest: curves, Bezier pieces and segments are numbered through, and stay
+  /// where they are. None of them is a forest.
+  /// \complexity linear in the number of segments, without a copy of them
+  explicit Segment_hierarchy(const std::vector<std::shared_ptr<const Segment_hierarchy>>& members);
+  /// Returns a hierarchy of some of the Bezier pieces, with the segments that these have.
+  /// \param kept numbers of pieces, growing; each chain stays connected without the others
+  /// \pre this is no forest
+  [[nodiscard]] Segment_hierarchy of_pieces(const std::vector<std::uint32_t>& kept) const;
 
   /// Puts other curves in the place of curves first, ..., last - 1, and cuts them alone. All is as it was after an
   /// exception.
-  /// \pre curves are of doubles, and have such a range
+  /// \pre curves are of doubles, and have such a range; this is no forest
   void replace(std::size_t first, std::size_t last, Drawing_2<double> curves);
 
   /// The curves, rounded to doubles where they had other numbers.
   [[nodiscard]] const Drawing_2<double>& drawing() const { return *drawing_; }
   [[nodiscard]] Decisions decisions() const { return decisions_; }
-  [[nodiscard]] bool empty() const { return segments_.empty(); }
+  [[nodiscard]] bool empty() const { return number_of_segments() == 0; }
 
   /// Segments in the order of their curves, each whole; those that are a point are among them.
-  [[nodiscard]] std::size_t number_of_segments() const { return segments_.size(); }
-  [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return segments_[segment].piece; }
-  [[nodiscard]] Region region(std::uint32_t segment) const {
-    const Segment& s = segments_[segment];
-    return {{s.piece.first.point, s.piece.last.point, s.bulge}, s.radius};
+  [[nodiscard]] std::size_t number_of_segments() const {
+    return is_forest() ? member_of_segment_.size() : segments_.size();
   }
-  [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return segments_[segment].place; }
-  [[nodiscard]] bool is_straight(std::uint32_t segment) const { return segments_[segment].is_straight; }
+  [[nodiscard]] Spiral_piece_2 piece(std::uint32_t segment) const {
+    const Segment& s = at(segment);
+    return {segment, s.first, s.last};
+  }
+  [[nodiscard]] Region region(std::uint32_t segment) const {
+    const Segment& s = at(segment);
+    return {{s.first.point, s.last.point, s.bulge}, s.radius};
+  }
+  [[nodiscard]] Segment_place place(std::uint32_t segment) const {
+    Segment_place place = at(segment).place;
+    if (is_forest()) place.curve += members_[member_of_segment_[segment]].first_curve;
+    return place;
+  }
+  [[nodiscard]] bool is_straight(std::uint32_t segment) const { return at(segment).is_straight; }
   /// Bezier pieces of all curves, numbered through.
-  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t segment) const { return segments_[segment].bezier; }
-  [[nodiscard]] std::size_t number_of_beziers() const { return evaluators_.size(); }
+  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t segment) const {
+    const std::uint32_t own = at(segment).bezier;
+    return is_forest() ? own + members_[member_of_segment_[segment]].first_bezier : own;
+  }
+  [[nodiscard]] std::size_t number_of_beziers() const {
+    return is_forest() ? member_of_bezier_.size() : evaluators_.size();
+  }
   [[nodiscard]] std::uint32_t number_of_bezier(std::size_t curve, std::size_t bezier) const {
     return first_bezier_[curve] + static_cast<std::uint32_t>(bezier);
   }
@@ -107,23 +129,32 @@ class Segment_hierarchy {
     const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), number);
     return static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
   }
-  [[nodiscard]] const Bezier_evaluator& evaluator(std::uint32_t bezier) const { return evaluators_[bezier]; }
+  [[nodiscard]] const Bezier_evaluator& evaluator(std::uint32_t bezier) const {
+    if (!is_forest()) return evaluators_[bezier];
+    const Member& member = members_[member_of_bezier_[bezier]];
+    return member.of->evaluators_[bezier - member.first_bezier];
+  }
   /// Rounded where its numbers were no doubles.
-  [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const { return evaluators_[number].curve(); }
+  [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const { return evaluator(number).curve(); }
   [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
   /// Whether a Bezier piece, as it is, is a single point.
   [[nodiscard]] bool is_point(std::uint32_t bezier) const;
   /// Whether exact curves are others than those in doubles.
-  [[nodiscard]] bool is_rounded() const { return !exact_.empty(); }
+  [[nodiscard]] bool is_rounded() const { return is_rounded_; }
 
-  /// Where a Bezier piece is cut into segments. \pre this is not parted
+  /// Where a Bezier piece is cut into segments. \pre this is not parted, and no forest
   [[nodiscard]] Spiral_parameters cuts(std::uint32_t bezier) const;
 
   /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it
   /// from the true region's: rounding of evaluation, of the curve and of cuts.
-  [[nodiscard]] double error(std::uint32_t segment) const { return segments_[segment].error; }
+  [[nodiscard]] double error(std::uint32_t segment) const { return at(segment).error; }
   /// How far exact control points are from the rounded ones.
-  [[nodiscard]] double rounding(std::uint32_t bezier) const { return roundings_.empty() ? 0 : roundings_[bezier]; }
+  [[nodiscard]] double rounding(std::uint32_t bezier) const {
+    if (!is_rounded_) return 0;
+    if (!is_forest()) return roundings_[bezier];
+    const Member& member = members_[member_of_bezier_[bezier]];
+    return member.of->rounding(bezier - member.first_bezier);
+  }
 
   /// Bezier pieces that turn nearer to an end, or back nearer to another turn, than segments are cut: their directions
   /// are not told, and they may meet themselves.
@@ -131,10 +162,11 @@ class Segment_hierarchy {
 
   /// The sample at a parameter inside a segment.
   [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
-    const Segment& s = segments_[segment];
-    const Curve_jet jet = evaluators_[s.bezier](t);
-    if (!s.is_straight) return sample_of(s.bezier, t, jet);
-    Spiral_sample sample = s.piece.first;  // derivatives have no direction where a line turns back
+    const Segment& s = at(segment);
+    const std::uint32_t bezier = bezier_of(segment);
+    const Curve_jet jet = evaluator(bezier)(t);
+    if (!s.is_straight) return sample_of(bezier, t, jet);
+    Spiral_sample sample = s.first;  // derivatives have no direction where a line turns back
     sample.t = t;
     sample.point = jet.point;
     return sample;
@@ -143,48 +175,64 @@ class Segment_hierarchy {
   [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const { return box(piece, error(piece.segment)); }
   /// A box of a piece whose ends are off the curve by up to e.
   [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_piece_2& piece, double e) {
-    const Xy<double>&p = piece.first.point, &q = piece.last.point;
-    const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
-    return {x.lower, y.lower, x.upper, y.upper};
+    return box(piece.first, piece.last, e);
   }
   [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
-    return {place(segment).curve, place(segment).bezier, t};
+    const Segment_place at = place(segment);
+    return {at.curve, at.bezier, t};
   }
   /// The tree over the boxes of the segments. \complexity made when first asked for, n log n
   [[nodiscard]] const Box_tree& boxes() const {
-    return (*boxes_)(
-        [this] { return Box_tree(segments_.size(), [this](std::size_t i) { return box(segments_[i].piece); }); });
+    return (*boxes_)([this] { return Box_tree(number_of_segments(), [this](std::size_t i) { return box_at(i); }); });
   }
-  /// Leaves the curves alone: segments and boxes of a large drawing take most of its memory.
-  void drop_segments() {
-    segments_ = {};
-    boxes_ = std::make_shared<Made_once<Box_tree>>();
-  }
+  /// Drops them until they are asked for again: those of a large drawing take much memory.
+  void drop_boxes() { boxes_ = std::make_shared<Made_once<Box_tree>>(); }
   /// Whether they are made.
   [[nodiscard]] bool has_boxes() const { return boxes_->made() != nullptr; }
 
  private:
-  // Three cache lines, of which a large drawing has the most: a region's ends are those of its piece.
+  // Less than three cache lines, of which a large drawing has the most: a region's ends are those of its piece.
   struct Segment {
-    Spiral_piece_2 piece;
-    double error;
+    Spiral_sample first, last;
+    double error, bulge = 0, radius = 0;
     Segment_place place;
     std::uint32_t bezier : 31;
     bool is_straight : 1;
-    double bulge = 0, radius = 0;
 
     void set_region(const Region& fat) {
       bulge = fat.arc.bulge;
       radius = fat.radius;
     }
   };
+  // Where curves, Bezier pieces and segments of a hierarchy are among those of a forest.
+  struct Member {
+    std::shared_ptr<const Segment_hierarchy> of;
+    std::uint32_t first_curve, first_bezier, first_segment;
+  };
 
   Segment_hierarchy() = default;
-  void build(const Drawing_2<Exact_rational>* exact);
-  void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
+  void build(const Drawing_2<Exact_rational>* exact, const Segment_hierarchy* cut);
+  [[nodiscard]] bool is_forest() const { return !members_.empty(); }
+  [[nodiscard]] const Segment& at(std::uint32_t segment) const {
+    if (!is_forest()) return segments_[segment];
+    const Member& member = members_[member_of_segment_[segment]];
+    return member.of->segments_[segment - member.first_segment];
+  }
+  [[nodiscard]] static Region fat_of(const Segment& s) { return fat_arc({0, s.first, s.last}, s.error); }
+  [[nodiscard]] CGAL::Bbox_2 box_at(std::size_t segment) const {
+    const Segment& s = at(static_cast<std::uint32_t>(segment));
+    return box(s.first, s.last, s.error);
+  }
+  void add_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::uint32_t bezier,
+                    const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
-  void add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place, bool is_rounded);
+  void add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place);
+  [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_sample& first, const Spiral_sample& last, double e) {
+    const Xy<double>&p = first.point, &q = last.point;
+    const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
+    return {x.lower, y.lower, x.upper, y.upper};
+  }
   [[nodiscard]] std::vector<Segment>::const_iterator first_segment(std::uint32_t bezier) const;
   static void straighten(Segment& s);
   void move(Segment& s, const Bezier_curve_2<double>& curve);
@@ -194,6 +242,7 @@ class Segment_hierarchy {
   std::shared_ptr<const Drawing_2<double>> drawing_;
   std::shared_ptr<Drawing_2<double>> own_drawing_;  // the same, where curves were replaced
   Decisions decisions_ = Decisions::EXACT;
+  bool is_rounded_ = false;
   std::vector<Bezier_evaluator> evaluators_;
   std::vector<std::uint32_t> first_bezier_;
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
@@ -201,11 +250,13 @@ class Segment_hierarchy {
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> hidden_tips_;
   std::map<std::uint32_t, Spiral_parameters> coarse_cuts_;  // of pieces whose segments have others, too
+  std::vector<Member> members_;  // of a forest, which has no segments and evaluators of its own
+  std::vector<std::uint32_t> member_of_bezier_, member_of_segment_;
   std::shared_ptr<Made_once<Box_tree>> boxes_ = std::make_shared<Made_once<Box_tree>>();
 };
 
 inline Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const {
-  const Bezier_evaluator& curve = evaluators_[bezier];
+  const Bezier_evaluator& curve = evaluator(bezier);
   const double speed = euclidean_norm(jet.first);
   Spiral_sample s;
   s.t = t;

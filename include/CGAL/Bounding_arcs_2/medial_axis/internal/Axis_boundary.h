@@ -127,7 +127,7 @@ class Axis_boundary {
       const double c = std::cos(p.u), s = std::sin(p.u);
       return {e.point, {c * e.tangent.x + s * e.tangent.y, c * e.tangent.y - s * e.tangent.x}, 0, -1};
     }
-    const Spiral_piece_2& piece = curves_.piece(e.segment);
+    const Spiral_piece_2 piece = curves_.piece(e.segment);
     const double t = e.is_reversed ? -p.u : p.u, sign = e.is_reversed ? -1 : 1;
     const Curve_jet jet = curves_.evaluator(curves_.bezier_of(e.segment))(t);
     if (curves_.is_straight(e.segment)) {
@@ -149,7 +149,7 @@ class Axis_boundary {
   [[nodiscard]] Curvature curvature(const Boundary_place& p) const {
     const Boundary_element& e = elements_[p.element];
     if (curves_.is_straight(e.segment)) return {0, 0};
-    const Spiral_piece_2& piece = curves_.piece(e.segment);
+    const Spiral_piece_2 piece = curves_.piece(e.segment);
     const Spiral_sample& s = parameter(p) == piece.first.t ? piece.first : piece.last;
     const double bend = cross(piece.first.tangent, piece.last.tangent) * (e.is_reversed ? -1 : 1);
     const Curvature cusp{std::copysign(std::numeric_limits<double>::infinity(), bend), 0};

@@ -75,10 +75,10 @@ template <class Curves> [[nodiscard]] bool has_shared_samples(const Curves& curv
     return s.t >= 0 && s.t <= 1 && std::isfinite(s.point.x) && std::isfinite(s.point.y);
   };
   for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i) {
-    const Spiral_piece_2& piece = curves.piece(i);
+    const Spiral_piece_2 piece = curves.piece(i);
     if (!is_number(piece.first) || !is_number(piece.last) || piece.segment != i) return false;
     if (i == 0 || curves.bezier_of(i) != curves.bezier_of(i - 1)) continue;
-    const Spiral_sample& before = curves.piece(i - 1).last;
+    const Spiral_sample before = curves.piece(i - 1).last;
     if (before.t != piece.first.t || before.point != piece.first.point) return false;
   }
   return true;

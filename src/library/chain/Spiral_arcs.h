@@ -1,0 +1,288 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arcs over pieces of one spiral segment, for given break points: which they are and how far off.
+
+#ifndef BOUNDING_ARCS_LIBRARY_CHAIN_SPIRAL_ARCS_H
+#define BOUNDING_ARCS_LIBRARY_CHAIN_SPIRAL_ARCS_H
+
+#include <CGAL/Bounding_arcs_2/chain/Arc_chain_2.h>
+#include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
+#include "arc_deviation.h"
+#include "fit_arc.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// An error half of which is rounding: below it more arcs bring nothing closer.
+inline constexpr double ABOVE_ROUNDING = 2;
+
+/// What separates computed end points and computed polynomials from the curve, as a length of the plane: doc/arcs.md.
+/// \param reach the sum of |coefficients| of the segment, in units of its table
+[[nodiscard]] inline double fitting_slack(const Bezier_spiral_2<double>& spiral, double reach) {
+  constexpr double U = HALF_ULP, ROOT = 1.4142135623730951;
+  const int degree = spiral.curve().degree();
+  const double n = degree, h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit();
+  double power = 1, lightest = 1, heaviest = 1;
+  for (int k = 0; k < degree; ++k) power *= 1 + 2 * h;
+  for (const double w : spiral.curve().weights()) {
+    lightest = (std::min)(lightest, w);
+    heaviest = (std::max)(heaviest, w);
+  }
+  const double weights = heaviest / lightest;
+  const double growth = spiral.curve().is_rational() ? 4 * n * weights * weights * power : power - 1;
+  const double table = ROOT * (6 * n + 8) * U * growth * unit;
+  const double shifts = (8 * n + 16) * weights * U * reach * unit;
+  return 2 * (ROOT * spiral.point_error() + table) + shifts + 4 * U * spiral.coordinate_size();
+}
+
+/// Whether a biarc exceeds eps but hardly would with equal errors, which are near the geometric mean of these.
+[[nodiscard]] inline bool is_worth_balancing(double error0, double error1, double eps) {
+  constexpr double ROOM = 0.95;
+  return (std::max)(error0, error1) > eps && error0 * error1 <= ROOM * eps * eps;
+}
+
+/// A point of a spiral segment and a vector along its tangent there.
+struct Curve_end {
+  double s;
+  Xy<double> point, tangent;
+};
+
+/// Any segment, any side. Break points are parameters s in [0, 1] along the segment; the curve has
+/// t = first + s (last - first) there.
+class Spiral_arcs {
+ public:
+  /// \param eps the largest error aimed at: pieces no longer than that need no arc of their own
+  /// \param start the point of the segment's start, if known
+  Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
+              const std::optional<Xy<double>>& start = std::nullopt)
+      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.table<double>().unit()),
+        inverse_unit_(1 / unit_),
+        curve_(internal::local_polynomial(spiral.table<double>(), spiral.first(), spiral.last())),
+        start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())),
+        tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
+    const End_orders orders = spiral.orders(spiral.first(), spiral.last());
+    if (orders.start > 1 || orders.end > 1) {
+      const auto shape = spiral.shape<double>(spiral.first(), spiral.last(), {false, false});
+      tangent0_ = shape.tangent0;
+      tangent1_ = shape.tangent1;
+    }
+    double reach = 0;
+    for (const Xy<double>& v : curve_.m) reach += internal::size_of(v);
+    slack_ = fitting_slack(spiral, reach);
+    eps_ = (std::max)(eps, ABOVE_ROUNDING * slack_);
+  }
+
+  /// The largest error to aim at: eps, or more where that is below what coordinates and evaluation lose to rounding.
+  [[nodiscard]] double reachable() const { return eps_; }
+
+  /// Fits every piece, appends its arcs and sets its error, the larger of those of its arcs.
+  void fit(const std::vector<double>& breaks, std::vector<double>& errors, std::vector<Chain_arc_2>& arcs) const {
+    End e0 = end_at(breaks.front());
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const End e1 = end_at(breaks[i + 1]);
+      errors[i] = fit(e0, e1, arcs);
+      e0 = e1;
+    }
+  }
+
+  /// Fits the piece between two ends, appends its arcs and returns their larger error.
+  double fit(const Curve_end& e0, const Curve_end& e1, std::vector<Chain_arc_2>& arcs) const {
+    const Piece p = spiral_.is_straight() ? segment(e0, e1, slack_) : fit_piece(e0, e1);
+    for (int i = 0; i < p.count; ++i) arcs.push_back(p.arc[static_cast<std::size_t>(i)]);
+    return (std::max)(p.arc[0].error, p.arc[1].error);
+  }
+
+  /// Balances the errors of a biarc between two ends whose joint is on the curve, appends its arcs and returns the
+  /// larger.
+  double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Chain_arc_2& arc0, const Chain_arc_2& arc1,
+                      std::vector<Chain_arc_2>& arcs) const {
+    const Piece p = balanced({2, {arc0, arc1}}, e0, e1);
+    arcs.insert(arcs.end(), p.arc.begin(), p.arc.end());
+    return (std::max)(p.arc[0].error, p.arc[1].error);
+  }
+
+  [[nodiscard]] const Xy<double>& end_point() const { return end_; }
+
+ private:
+  using End = Curve_end;
+  struct Piece {
+    int count = 1;
+    std::array<Chain_arc_2, 2> arc;
+  };
+
+  [[nodiscard]] double parameter(double s) const {
+    return s == 1 ? spiral_.last() : spiral_.first() + s * (spiral_.last() - spiral_.first());
+  }
+  [[nodiscard]] Xy<double> in_plane(const Xy<double>& local) const { return start_ + unit_ * local; }
+  [[nodiscard]] Xy<double> in_units(const Xy<double>& vector) const { return inverse_unit_ * vector; }
+
+  [[nodiscard]] End end_at(double s) const {
+    if (s == 0) return {s, start_, tangent0_};
+    if (s == 1) return {s, end_, tangent1_};
+    return {s, in_plane(curve_(s)), curve_.derivative(s)};
+  }
+
+  [[nodiscard]] Chain_arc_2 arc(const End& e0, const End& e1, double bulge) const {
+    return {{e0.point, e1.point, bulge}, parameter(e0.s), parameter(e1.s), 0, 0};
+  }
+
+  // Sets the error of an arc over the piece q, seen from the arc's start.
+  void measure(Chain_arc_2& a, const End& e0, const End& e1, const internal::Local_polynomial& q) const {
+    a.error = slack_ + unit_ * internal::arc_deviation(q, {in_units(a.to - a.from), a.bulge}, e0.tangent, e1.tangent);
+  }
+
+  [[nodiscard]] Piece segment(const End& e0, const End& e1, double error) const {
+    Piece p;
+    p.arc[0] = arc(e0, e1, 0);
+    p.arc[0].error = error;
+    return p;
+  }
+
+  [[nodiscard]] Piece fit_piece(const End& e0, const End& e1) const {
+    const internal::Local_polynomial q = curve_.piece(e0.s, e1.s - e0.s);
+    const Xy<double> chord = in_units(e1.point - e0.point);
+    const double bulge0 = internal::half_angle_tangent(e0.tangent, chord),
+                 bulge1 = internal::half_angle_tangent(chord, e1.tangent);
+    if (continuity_ == Continuity::TANGENT && !is_one_arc(chord, bulge0, bulge1))
+      return side_ == Chain_side::BOTH ? biarc(e0, e1, q, chord) : bilens_side(e0, e1);
+    Piece p;
+    const double bulge = continuity_ == Continuity::TANGENT ? (bulge0 + bulge1) / 2
+                         : side_ == Chain_side::BOTH        ? internal::balanced_bulge(q, chord)
+                         : side_ == Chain_side::LEFT        ? (std::min)(bulge0, bulge1)
+                                                            : (std::max)(bulge0, bulge1);
+    p.arc[0] = arc(e0, e1, bulge);
+    measure(p.arc[0], e0, e1, q);
+    return checked(p, e0, e1);
+  }
+
+  [[nodiscard]] Piece checked(const Piece& p, const End& e0, const End& e1) const {
+    return std::isfinite(p.arc[0].error + p.arc[1].error) ? p : without_arc(e0, e1);
+  }
+
+  // Whether one arc has the tangents of both ends, but for what rounding of the end points turns them by.
+  [[nodiscard]] bool is_one_arc(const Xy<double>& chord, double bulge0, double bulge1) const {
+    return std::fabs(bulge0 - bulge1) * (std::fabs(chord.x) + std::fabs(chord.y)) * unit_ <= slack_;
+  }
+
+  [[nodiscard]] Piece biarc(const End& e0, const End& e1, const internal::Local_polynomial& q,
+                            const Xy<double>& chord) const {
+    const auto u = internal::biarc_joint_parameter(q, chord, e0.tangent, e1.tangent);
+    if (!u) return without_arc(e0, e1);
+    const End joint = end_at(e0.s + *u * (e1.s - e0.s));
+    const Piece p = two_arcs(e0, joint, e1, joint.point);
+    return p.count == 2 && is_worth_balancing(p.arc[0].error, p.arc[1].error, eps_) ? balanced(p, e0, e1) : p;
+  }
+
+  // The biarc with its joint moved along the circle of all joints, until no error is above eps or they are about equal.
+  [[nodiscard]] Piece balanced(const Piece& on_curve, const End& e0, const End& e1) const {
+    const Xy<double> chord = e1.point - e0.point, first = on_curve.arc[0].to - e0.point, second = chord - first;
+    const double angle0 = std::atan2(cross(chord, first), dot(chord, first));
+    const double angle1 = std::atan2(cross(second, chord), dot(second, chord));
+    const double turn = angle0 + angle1, sine = std::sin(turn);
+    const auto imbalance = [](const Piece& p) { return std::log(p.arc[0].error / p.arc[1].error); };
+    const auto largest = [](const Piece& p) { return (std::max)(p.arc[0].error, p.arc[1].error); };
+    Piece best = on_curve;
+    double move = 0, balance = imbalance(on_curve), slope = -24;  // for a short piece: doc/arcs.md
+    constexpr int STEPS = 2;
+    for (int i = 0; i < STEPS && largest(best) > eps_; ++i) {
+      const double before = move, balance_before = balance;
+      move -= balance / slope;  // a share of the turn
+      const double length = std::sin(angle1 - move * turn) / sine, angle = angle0 + move * turn;
+      const Xy<double> to_joint = (length * std::cos(angle)) * chord + (length * std::sin(angle)) * perp(chord);
+      const Xy<double> joint = e0.point + to_joint;
+      const Xy<double> along = (2 * dot(e0.tangent, to_joint) / dot(to_joint, to_joint)) * to_joint - e0.tangent;
+      const auto s = foot_parameter(e0, e1, joint, along);
+      if (!s) break;
+      const Piece p = two_arcs(e0, end_at(*s), e1, joint);
+      if (p.count != 2) break;
+      if (largest(p) < largest(best)) best = p;
+      balance = imbalance(p);
+      slope = (balance - balance_before) / (move - before);
+    }
+    return best;
+  }
+
+  // Where no arc is found: curve and chord are both in the box of the end points, whose diagonal is the chord.
+  [[nodiscard]] Piece without_arc(const End& e0, const End& e1) const {
+    const double error = slack_ + stable_norm(e1.point - e0.point);
+    return segment(e0, e1, error <= eps_ ? error : std::numeric_limits<double>::infinity());
+  }
+
+  // The arcs that touch the curve at both ends and meet at `joint_point`, the foot of the curve's point at `joint`.
+  [[nodiscard]] Piece two_arcs(const End& e0, const End& joint, const End& e1, const Xy<double>& joint_point) const {
+    Piece p;
+    p.count = 2;
+    const Xy<double> chord0 = joint_point - e0.point, chord1 = e1.point - joint_point;
+    p.arc[0] = {{e0.point, joint_point, internal::half_angle_tangent(e0.tangent, in_units(chord0))},
+                parameter(e0.s),
+                parameter(joint.s),
+                0,
+                0};
+    p.arc[1] = {{joint_point, e1.point, internal::half_angle_tangent(in_units(chord1), e1.tangent)},
+                parameter(joint.s),
+                parameter(e1.s),
+                0,
+                0};
+    measure(p.arc[0], e0, joint, curve_.piece(e0.s, joint.s - e0.s));
+    internal::Local_polynomial rest = curve_.piece(joint.s, e1.s - joint.s);
+    if (joint_point != joint.point) rest = rest.seen_from(in_units(joint_point - joint.point));
+    measure(p.arc[1], joint, e1, rest);
+    return checked(p, e0, e1);
+  }
+
+  // The inner or outer boundary of the bilens, whichever is on the side asked for.
+  [[nodiscard]] Piece bilens_side(const End& e0, const End& e1) const {
+    const auto shape = spiral_.shape<double>(parameter(e0.s), parameter(e1.s), {true, false});
+    const auto boundary = Bilens::boundary(Chord_frame_2<double>{e0.point, e1.point, shape});
+    const bool is_inner = (shape.turn > 0) == (side_ == Chain_side::LEFT);
+    const auto& chain = is_inner ? boundary.inner : boundary.outer;
+    if (chain.size() < 2) return without_arc(e0, e1);
+    const Xy<double> joint = chain[0].to;
+    const auto& circle = chain[0].support;
+    const auto s = foot_parameter(e0, e1, joint, -perp(circle.normal_at(joint)));
+    return s ? two_arcs(e0, end_at(*s), e1, joint) : without_arc(e0, e1);
+  }
+
+  // The curve's point whose foot is the biarc's joint, on the normal line there; `along` is a tangent.
+  [[nodiscard]] std::optional<double> foot_parameter(const End& e0, const End& e1, const Xy<double>& joint,
+                                                     const Xy<double>& along) const {
+    const Xy<double> target = in_units(joint - start_);
+    double low = e0.s, high = e1.s, s = (low + high) / 2;
+    constexpr int STEPS = 60;
+    for (int i = 0; i < STEPS; ++i) {
+      const double ahead = dot(along, curve_(s) - target), step = ahead / dot(along, curve_.derivative(s)),
+                   next = s - step;
+      if (std::fabs(step) <= 0x1p-50 * (e1.s - e0.s)) return next;
+      (ahead > 0 ? high : low) = s;
+      s = next > low && next < high ? next : (low + high) / 2;
+    }
+    return s > e0.s && s < e1.s ? std::optional<double>(s) : std::nullopt;
+  }
+
+  const Bezier_spiral_2<double>& spiral_;
+  Continuity continuity_;
+  Chain_side side_;
+  double eps_;
+  double unit_, inverse_unit_;  // a power of two
+  internal::Local_polynomial curve_;
+  Xy<double> start_, end_, tangent0_, tangent1_;
+  double slack_ = 0;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far a curve piece is from a circular arc over its chord: a certified upper bound, from one polynomial that is
+// sampled densely and bounded between the samples by its derivatives (doc/arcs.md).
+
+#ifndef BOUNDING_ARCS_LIBRARY_CHAIN_ARC_DEVIATION_H
+#define BOUNDING_ARCS_LIBRARY_CHAIN_ARC_DEVIATION_H
+
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include "Local_polynomial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL::Bounding_arcs::internal {
+
+// Samples of the deviation: the bound exceeds the largest by about (pi / CELLS)^2 / 8 of it. Half as many cost 2%.
+inline constexpr std::size_t CELLS = 32;
+
+[[nodiscard]] inline double size_of(const Xy<double>& v) { return std::fabs(v.x) + std::fabs(v.y); }
+
+/// The arc from the origin to `chord` with tan(angle / 4) = bulge, positive for a left turn; q is on its circle iff
+///   side(q) = (1 - bulge^2) cross(chord, q) + 2 bulge (chord - q).q = 0.
+struct Local_arc {
+  Xy<double> chord;
+  double bulge;
+
+  /// A vector along the concentric circle through q.
+  [[nodiscard]] Xy<double> tangent(const Xy<double>& q) const {
+    return (1 - bulge * bulge) * chord + (2 * bulge) * perp(2.0 * q - chord);
+  }
+};
+
+/// The coefficients of side(q(u)) w(u)^2, of degree 2 n for a piece of degree n.
+[[nodiscard]] inline boost::container::small_vector<double, 16> side_polynomial(const Local_polynomial& q,
+                                                                                const Local_arc& arc) {
+  const std::size_t n = q.m.size();
+  boost::container::small_vector<double, 16> f(2 * n - 1, 0.0);
+  const double twice = 2 * arc.bulge;
+  const Xy<double> linear = (1 - arc.bulge * arc.bulge) * perp(arc.chord) + twice * arc.chord;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = dot(linear, q.m[i]);
+    if (q.w.empty()) f[i] += a;
+    else
+      for (std::size_t j = 0; j < n; ++j) f[i + j] += a * q.w[j];
+    f[2 * i] -= twice * dot(q.m[i], q.m[i]);
+    for (std::size_t j = 0; j < i; ++j) f[i + j] -= 2 * twice * dot(q.m[i], q.m[j]);
+  }
+  return f;
+}
+
+/// A bound of a polynomial's second derivative on [0, 1]: its larger end value, and what bends away from the line
+/// between.
+template <class Numbers> [[nodiscard]] double second_derivative_bound(const Numbers& f) {
+  double at_start = f.size() > 2 ? 2 * f[2] : 0, at_end = at_start, fourth = 0;
+  for (std::size_t k = 3; k < f.size(); ++k) {
+    const double x = static_cast<double>(k * (k - 1));
+    at_end += x * f[k];
+    if (k > 3) fourth += x * static_cast<double>((k - 2) * (k - 3)) * std::fabs(f[k]);
+  }
+  return (std::max)(std::fabs(at_start), std::fabs(at_end)) + fourth / 8;
+}
+
+/// Where samples are taken; a table, as its entries would be made anew for every coefficient.
+struct Sample_places {
+  double u[CELLS + 1] = {};
+  constexpr Sample_places() {
+    for (std::size_t i = 0; i <= CELLS; ++i) u[i] = static_cast<double>(i) / CELLS;
+  }
+};
+inline constexpr Sample_places SAMPLE_PLACES;
+
+template <class Numbers> void sample(const Numbers& f, std::array<double, CELLS + 1>& value) {
+  value.fill(f.back());
+  for (std::size_t k = f.size() - 1; k-- > 0;) {
+    const double coefficient = f[k];
+    for (std::size_t i = 0; i <= CELLS; ++i) value[i] = value[i] * SAMPLE_PLACES.u[i] + coefficient;
+  }
+}
+
+/// An upper bound of the largest |side(q(u))|, in real arithmetic on the given numbers.
+[[nodiscard]] inline double largest_side(const Local_polynomial& q, const Local_arc& arc) {
+  const auto f = side_polynomial(q, arc);
+  std::array<double, CELLS + 1> value;
+  sample(f, value);
+  const double rest = second_derivative_bound(f) / (8.0 * CELLS * CELLS);
+  if (!q.is_rational()) {
+    double largest = 0;
+    for (const double v : value) largest = (std::max)(largest, std::fabs(v));
+    return largest + rest;
+  }
+  std::array<double, CELLS + 1> weight;
+  sample(q.w, weight);
+  const double weight_rest = second_derivative_bound(q.w) / (8.0 * CELLS * CELLS);
+  double largest = 0;
+  for (std::size_t i = 0; i < CELLS; ++i) {
+    const double w = (std::min)(weight[i], weight[i + 1]) - weight_rest;
+    if (!(w > 0)) return std::numeric_limits<double>::infinity();
+    largest = (std::max)(largest, ((std::max)(std::fabs(value[i]), std::fabs(value[i + 1])) + rest) / (w * w));
+  }
+  return largest;
+}
+
+/// Whether the foot on the arc's circle moves forwards all the time that q moves from u = 0 to 1.
+/// \pre q is a piece of a spiral segment: monotone in x and y, its tangent turning one way from `start` to `end`
+[[nodiscard]] inline bool foot_moves_forwards(const Local_polynomial& q, const Local_arc& arc, const Xy<double>& start,
+                                              const Xy<double>& end, int cells = 1) {
+  Xy<double> p = q.m[0], tangent = start;
+  for (int i = 1; i <= cells; ++i) {
+    const Xy<double> next = q(i / static_cast<double>(cells));
+    const Xy<double> next_tangent = i == cells ? end : q.derivative(i / static_cast<double>(cells));
+    for (const Xy<double>& corner : {p, Xy<double>{p.x, next.y}, Xy<double>{next.x, p.y}, next}) {
+      const Xy<double> along = arc.tangent(corner);
+      constexpr double MARGIN = 0x1p-20;  // far above rounding; a hundred times more would refuse no arc of use
+      for (const Xy<double>& t : {tangent, next_tangent})
+        if (!(dot(along, t) > MARGIN * size_of(along) * size_of(t))) {
+          constexpr int FINE = 16;
+          return cells < FINE && foot_moves_forwards(q, arc, start, end, FINE);
+        }
+    }
+    p = next;
+    tangent = next_tangent;
+  }
+  return true;
+}
+
+/// An upper bound of the largest distance from the circle of an arc, from that of |side| w^2.
+/// \param reach the sum of |coefficients| of the polynomials of the curve, \param weights of w, \param n their number
+inline double distance_from_side(double side, double chord, double bulge, double reach, double weights, std::size_t n) {
+  // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
+  constexpr double U = HALF_ULP;
+  const double roundings = 8 * static_cast<double>(n) + 32, inverse = 1 / chord, scale = inverse / (1 + bulge * bulge);
+  const double height = side * scale + roundings * U * reach * (2 + reach * inverse) * weights * weights;
+  const double bend = 8 * std::fabs(bulge) * height * scale;
+  // height / (1 - bend / 2), with 1 + bend for 1 / (1 - bend / 2)
+  return bend < 1 ? height * (1 + bend) * (1 + 16 * U) : std::numeric_limits<double>::infinity();
+}
+
+/// An upper bound of the Frechet distance, and so the Hausdorff distance, between the piece q and the arc, both as
+/// given in exact numbers; infinity where none was found.
+/// \pre as foot_moves_forwards; the feet of q(0) and q(1) are the ends of the arc
+/// \guarantee certified, rounding of this function included
+/// \source derivation in doc/arcs.md
+[[nodiscard]] inline double arc_deviation(const Local_polynomial& q, const Local_arc& arc, const Xy<double>& start,
+                                          const Xy<double>& end) {
+  const double c = std::sqrt(dot(arc.chord, arc.chord));
+  if (!(c > 0) || !foot_moves_forwards(q, arc, start, end)) return std::numeric_limits<double>::infinity();
+  double reach = 0, weights = q.w.empty() ? 1 : 0;
+  for (const Xy<double>& v : q.m) reach += size_of(v);
+  for (const double w : q.w) weights += std::fabs(w);
+  return distance_from_side(largest_side(q, arc), c, arc.bulge, reach, weights, q.m.size());
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

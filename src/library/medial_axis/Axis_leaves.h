@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the axis of a ring ends: at convex corners, and at maxima of curvature whose osculating disc is empty.
+//
+// Curvature is monotone along a spiral segment, so its maxima are among the segments' ends.  Values that are the same
+// within what they may be wrong by are one: a circular arc of largest curvature is one leaf, whose disc touches all of
+// it.
+
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_LEAVES_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_LEAVES_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include "Disc_search.h"
+#include "fitted_disc.h"
+#include "make_axis_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A disc that touches the boundary from one place on up to another one.
+struct Axis_leaf {
+  Boundary_place first, last;
+  Xy<double> center;
+  double radius;
+};
+
+struct Ring_leaves {
+  std::vector<Axis_leaf> leaves;
+  bool is_circle = false;  ///< the ring has one curvature, that of its disc
+  Axis_leaf circle{};
+};
+
+class Leaf_finder {
+ public:
+  explicit Leaf_finder(const Axis_boundary& boundary) : boundary_(boundary) {}
+
+  [[nodiscard]] Ring_leaves leaves(std::uint32_t ring) {
+    const std::vector<End> ends = ends_of(boundary_.rings()[ring]);
+    const std::size_t n = ends.size();
+    Ring_leaves result;
+    std::size_t start = 0;  // of a group of ends with one value
+    while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
+    if (start == n) {
+      const End& best =
+          *std::min_element(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.error < b.error; });
+      result.is_circle = best.value > 0 && std::isfinite(best.value);
+      if (result.is_circle) result.circle = osculating(best, ends.front(), ends.back());
+      return result;
+    }
+    for (std::size_t i = start; i < start + n;) {
+      std::size_t last = i;
+      while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
+      const End &from = ends[i % n], &to = ends[last % n];
+      const End* best = &from;
+      for (std::size_t k = i; k <= last; ++k)
+        if (ends[k % n].error < best->error) best = &ends[k % n];
+      const bool is_maximum =
+          best->value > best->error && is_less(ends[(i + n - 1) % n], from) && is_less(ends[(last + 1) % n], to);
+      if (is_maximum) add(*best, from, to, result.leaves);
+      i = last + 1;
+    }
+    return result;
+  }
+
+ private:
+  struct End {
+    Boundary_place place;
+    double value, error;
+    bool is_corner = false;
+    std::uint32_t next = 0;  // behind a convex corner
+  };
+  [[nodiscard]] static bool are_same(const End& a, const End& b) {
+    if (a.is_corner || b.is_corner) return false;
+    constexpr double SAME = 0x1p-32;  // of curvature; rounded control points of a spline make joints differ by less
+    if (a.value == b.value) return true;
+    return std::isfinite(a.value) && std::isfinite(b.value) &&
+           std::fabs(a.value - b.value) <=
+               a.error + b.error + SAME * (std::max)(std::fabs(a.value), std::fabs(b.value));
+  }
+
+  [[nodiscard]] static bool is_less(const End& a, const End& b) {
+    return a.value < b.value || (!a.is_corner && b.is_corner);
+  }
+
+  [[nodiscard]] End end_at(const Boundary_place& p) const {
+    const auto curvature = boundary_.curvature(p);
+    return {p, curvature.value, curvature.error};
+  }
+  // Curvature from one end of an element to the next: infinite at corners.
+  [[nodiscard]] std::vector<End> ends_of(const Boundary_ring& ring) const {
+    constexpr double INFINITE = std::numeric_limits<double>::infinity();
+    std::vector<End> ends;
+    for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
+      const Boundary_element& e = boundary_.element(i);
+      const std::uint32_t next = boundary_.after(i);
+      if (e.is_corner) {
+        ends.push_back({{i, e.first}, -INFINITE, 0});
+        continue;
+      }
+      const double bend = least_bend(e);
+      for (const double u : {e.first, e.last}) {
+        ends.push_back(end_at({i, u}));
+        if (std::isfinite(ends.back().value)) ends.back().error += bend;
+      }
+      if (!boundary_.element(next).is_corner && is_convex_corner(i, next))
+        ends.push_back({{i, e.last}, INFINITE, 0, true, next});
+    }
+    return ends;
+  }
+  // An arc of length l that is more curved than what is beside it by k is l^2 k / 8 higher: this tells of heights that
+  // are nothing.
+  [[nodiscard]] double least_bend(const Boundary_element& e) const {
+    const Spiral_piece_2 p = boundary_.curves().piece(e.segment);
+    const Xy<double> chord = p.last.point - p.first.point;
+    return 8 * boundary_.resolution() / dot(chord, chord);
+  }
+  [[nodiscard]] bool is_convex_corner(std::uint32_t i, std::uint32_t next) const {
+    const Boundary_element &e = boundary_.element(i), &f = boundary_.element(next);
+    const Directed_piece p{boundary_.curves().piece(e.segment), e.is_reversed},
+        q{boundary_.curves().piece(f.segment), f.is_reversed};
+    return turn_of(p, q) > LEAST_TURN;
+  }
+
+  // The disc that has the curvature of all ends from one to another, and touches all that is between them: a circle's
+  // points tell its center better than its curvature does.
+  [[nodiscard]] Axis_leaf osculating(const End& best, const End& from, const End& to) const {
+    const Boundary_jet jet = boundary_(best.place);
+    const double r = std::isfinite(best.value) ? 1 / best.value : 0;
+    Fitted_disc disc{jet.point + r * jet.normal(), r};
+    constexpr double GOOD = 0x1p-4;  // of the resolution: of points next to each other there is no better disc
+    if (r > 0 && r < boundary_.largest_radius())
+      disc = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
+    return {from.place, to.place, disc.center, disc.radius};
+  }
+  [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {
+    std::vector<Xy<double>> points;
+    const Boundary_element& first = boundary_.element(from.element);
+    // an end of an element alone, or all elements up to the one that has the other end
+    std::uint32_t e = from.u == first.last ? boundary_.after(from.element) : from.element;
+    const std::uint32_t end = to.u == boundary_.element(to.element).first ? to.element : boundary_.after(to.element);
+    points.push_back(boundary_(from).point);
+    const Boundary_ring& ring = boundary_.rings()[first.ring];
+    for (std::uint32_t count = ring.end - ring.begin; e != end && count > 0; e = boundary_.after(e), --count) {
+      const Boundary_element& element = boundary_.element(e);
+      points.push_back(boundary_({e, 0.5 * (element.first + element.last)}).point);
+      points.push_back(boundary_({e, element.last}).point);
+    }
+    return points;
+  }
+
+  void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
+    if (from.is_corner) {
+      const Boundary_place behind{from.next, boundary_.element(from.next).first};
+      leaves.push_back({from.place, behind, boundary_(from.place).point, 0});
+      return;
+    }
+    const Axis_leaf leaf = osculating(best, from, to);
+    if (leaf.radius == 0 || (leaf.radius < boundary_.largest_radius() && is_empty(leaf))) leaves.push_back(leaf);
+  }
+
+  // What falls off from the largest curvature stays outside of the disc (Kneser), however many elements it runs
+  // through; anything else might be in it.
+  struct All_but {
+    const Axis_boundary& boundary;
+    std::uint32_t first, last;  // elements, in order around the ring
+    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+      const Boundary_element& element = boundary.element(e);
+      // the other side of a part is where this one is
+      if (!is_between(e) && !is_between(boundary.back_of(e))) visit(element.first, element.last);
+    }
+    [[nodiscard]] bool is_between(std::uint32_t e) const {
+      if (e == Axis_boundary::NONE || boundary.element(e).ring != boundary.element(first).ring) return false;
+      return first <= last ? first <= e && e <= last : e >= first || e <= last;
+    }
+  };
+  // The elements beside the leaf's, and more of them for as long as curvature falls without a corner.
+  [[nodiscard]] All_but others_of(const Axis_leaf& leaf) const {
+    const Boundary_element &e = boundary_.element(leaf.first.element), &f = boundary_.element(leaf.last.element);
+    All_but others{boundary_, leaf.first.u == e.first ? boundary_.before(leaf.first.element) : leaf.first.element,
+                   leaf.last.u == f.last ? boundary_.after(leaf.last.element) : leaf.last.element};
+    while (boundary_.after(others.last) != others.first && falls_on<true>(others.last))
+      others.last = boundary_.after(others.last);
+    while (boundary_.before(others.first) != others.last && falls_on<false>(others.first))
+      others.first = boundary_.before(others.first);
+    return others;
+  }
+  // Whether curvature falls along an element, at its far end and along the next one.
+  template <bool IS_FORWARD> [[nodiscard]] bool falls_on(std::uint32_t e) const {
+    const std::uint32_t next = IS_FORWARD ? boundary_.after(e) : boundary_.before(e);
+    if (boundary_.element(e).is_corner || boundary_.element(next).is_corner) return false;
+    if (IS_FORWARD ? is_convex_corner(e, next) : is_convex_corner(next, e)) return false;
+    const auto end = [&](std::uint32_t i, bool is_far) {
+      const Boundary_element& element = boundary_.element(i);
+      return end_at({i, is_far == IS_FORWARD ? element.last : element.first});
+    };
+    const End near = end(e, false), joint = end(e, true), behind = end(next, false), far = end(next, true);
+    const auto is_below = [](const End& a, const End& b) { return a.value < b.value && !are_same(a, b); };
+    return is_below(joint, near) && (behind.value <= joint.value || are_same(behind, joint)) && is_below(far, behind);
+  }
+  [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
+    const All_but others = others_of(leaf);
+    const Boundary_jet jet = boundary_(leaf.first);
+    Disc_search<All_but> search(boundary_, others, jet.point, jet.normal(), leaf.radius);
+    search.search();
+    return !search.is_found();
+  }
+
+  const Axis_boundary& boundary_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

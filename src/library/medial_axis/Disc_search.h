@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The largest disc that touches the boundary at a place p from inside and has no boundary in it.
+//
+// All discs that touch at p, with the inner normal n, lie in each other.  Where q is in one, the largest that is left
+// has the radius |q - p|^2 / (2 n.(q - p)).  So one disc is kept; boxes and fat arcs that are not in it can be left
+// out, and of what is left the point nearest to its center makes it smaller: that is Newton's method for the radius at
+// which a piece is touched.
+
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_DISC_SEARCH_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_DISC_SEARCH_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// \tparam Ranges for_each(element, visit) calls visit(u0, u1) for each part of an element that counts
+template <class Ranges> class Disc_search {
+ public:
+  /// \param most the radius to begin with
+  Disc_search(const Axis_boundary& boundary, const Ranges& ranges, const Xy<double>& p, const Xy<double>& normal,
+              double most)
+      : boundary_(boundary), curves_(boundary.curves()), ranges_(ranges), p_(p), normal_(normal), radius_(most),
+        center_(p + most * normal), resolution_(boundary.resolution()) {}
+
+  /// Takes a place that counts into account before all others, so that less is in the disc.
+  void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
+  void search() {
+    for_each_near(curves_.boxes(), *this);
+    finish();
+  }
+  // What boxes are asked for, see for_each_near: the disc shrinks towards p, so that distances from its first center
+  // tell nothing of what counts later.
+  [[nodiscard]] const Xy<double>& point() const { return center_; }
+  [[nodiscard]] double squared_reach() const { return inner() * inner(); }
+  [[nodiscard]] bool goes_on(double) const { return true; }
+  void look_at(std::uint32_t segment) {
+    bool is_near = false;  // asked for once, of a segment that counts
+    const auto near = [&] {
+      return is_near = is_near || distance_bounds(center_, curves_.region(segment)).lower < inner(segment);
+    };
+    for (const std::uint32_t e : boundary_.sides(segment).of) {
+      if (e == Axis_boundary::NONE) continue;
+      if (boundary_.element(e).is_corner) {  // a point
+        ranges_.for_each(e, [&](double u0, double u1) { look_at_corner(e, u0, u1); });
+        continue;
+      }
+      ranges_.for_each(e, [&](double u0, double u1) {
+        if (near()) look_at(e, u0, u1);
+      });
+      for (const std::uint32_t corner : {boundary_.before(e), boundary_.after(e)})
+        if (boundary_.element(corner).is_corner)
+          ranges_.for_each(corner, [&](double u0, double u1) {
+            if (near()) look_at_corner(corner, u0, u1);
+          });
+    }
+  }
+  /// Looks at one part of an element: where few count, one after the other, then `finish`.
+  void look_at_part(std::uint32_t e, double u0, double u1) {
+    const Boundary_element& element = boundary_.element(e);
+    if (element.is_corner) look_at_corner(e, u0, u1);
+    else if (distance_bounds(center_, curves_.region(element.segment)).lower < inner(element.segment))
+      look_at(e, u0, u1);
+  }
+  void finish() {
+    if (is_found_) choose_element();
+  }
+  /// A search from where this one is, in other ranges.
+  [[nodiscard]] Disc_search among(const Ranges& ranges) const {
+    return Disc_search(boundary_, ranges, p_, normal_, radius_);
+  }
+  /// Whether anything was in the disc to begin with.
+  [[nodiscard]] bool is_found() const { return is_found_; }
+  [[nodiscard]] double radius() const { return radius_; }
+  [[nodiscard]] const Xy<double>& center() const { return center_; }
+  /// What the disc touches.
+  [[nodiscard]] const Boundary_place& place() const { return place_; }
+
+  /// A point of the boundary that is not in the disc that is left. \return whether it was in it
+  bool offer(const Boundary_place& place, const Xy<double>& q) {
+    const Xy<double> way = q - p_;
+    const double height = dot(way, normal_);
+    const double square = dot(way, way), least = boundary_.joint_size();
+    if (!(height > 0) || square <= least * least) return false;
+    const double r = square / (2 * height);
+    if (!(r < radius_ - limit() / 2) || !(height - square / (2 * radius_) > NOISE * resolution_)) return false;
+    radius_ = r;
+    center_ = p_ + r * normal_;
+    place_ = place;
+    return is_found_ = true;
+  }
+
+ private:
+  // How deep in the disc a point is for certain, of the resolution. Beside p rounding puts points of a wall that turns
+  // away into it.
+  static constexpr double NOISE = 0x1p-4;
+
+  [[nodiscard]] double limit() const { return resolution_ + 0x1p-47 * radius_; }
+  [[nodiscard]] double inner() const { return radius_ - limit(); }
+  // What is nearer to the center than that is in the disc; fat arcs tell no more.
+  [[nodiscard]] double inner(std::uint32_t segment) const {
+    return radius_ - (std::max)(limit(), distance_resolution(curves_.error(segment), radius_));
+  }
+
+  // What is farther than that may be in the disc by the errors of its fat arc alone, however short it is.
+  [[nodiscard]] double inner_of_arcs(std::uint32_t segment) const {
+    return radius_ - limit() - distance_resolution(curves_.error(segment), radius_);
+  }
+
+  void look_at(std::uint32_t e, double u0, double u1) {
+    const Boundary_element& element = boundary_.element(e);
+    if (u0 == element.first && u1 == element.last)
+      return refine(e, curves_.piece(element.segment), curves_.region(element.segment));
+    const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
+    const Spiral_piece_2 all = curves_.piece(element.segment);
+    const auto sample = [&](double t) {
+      return t == all.first.t ? all.first : (t == all.last.t ? all.last : curves_.sample(element.segment, t));
+    };
+    if (!(t0 < t1)) {
+      offer_sample(e, sample(t0));
+      return;
+    }
+    const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
+    refine(e, piece, curves_.region(piece));
+  }
+  void look_at_corner(std::uint32_t e, double u0, double u1) {
+    if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
+  }
+  // The disc touches a corner in the direction of its center, as far as the corner counts.
+  [[nodiscard]] double angle_to_center(std::uint32_t e) const {
+    return boundary_.angle_of(e, center_ - boundary_.element(e).point);
+  }
+  // One point may be of several elements: next to a corner, or as rounding has it, of the corner, and of both sides of
+  // a curve that one which has the center on its left.
+  void choose_element() {
+    const Xy<double> at = boundary_(place_).point;
+    const std::uint32_t e = place_.element, back = boundary_.back_of(e);
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t side : {e, back}) {
+      if (side == Axis_boundary::NONE) continue;
+      for (const std::uint32_t corner : {side, boundary_.after(side), boundary_.before(side)}) {
+        const Boundary_element& element = boundary_.element(corner);
+        if (!element.is_corner || euclidean_norm(at - element.point) > boundary_.joint_size()) continue;
+        const double angle = angle_to_center(corner);
+        ranges_.for_each(corner, [&](double u0, double u1) {
+          const double u = std::clamp(angle, u0, u1);
+          if (std::fabs(u - angle) < least) place_ = {corner, u}, least = std::fabs(u - angle);
+        });
+      }
+    }
+    if (std::isfinite(least) || back == Axis_boundary::NONE) return;
+    if (!(dot(center_ - at, boundary_(place_).normal()) < 0)) return;
+    const double u = -place_.u;
+    ranges_.for_each(back, [&](double u0, double u1) {
+      if (u0 <= u && u <= u1) place_ = {back, u};
+    });
+  }
+  bool offer_sample(std::uint32_t e, const Spiral_sample& s) { return offer(boundary_.place(e, s.t), s.point); }
+
+  void refine(std::uint32_t e, const Spiral_piece_2& piece, const Fat_arc_2& fat) {
+    constexpr int MOST_ROUNDS = 40;  // each takes more than the resolution off
+    for (int round = 0; round < MOST_ROUNDS; ++round) {
+      if (!(distance_bounds(center_, fat).lower < inner(piece.segment))) return;
+      const Foot_convexity f = foot_convexity(center_, piece, curves_.error(piece.segment));
+      if (f.is_rising || f.is_falling) {  // an end is nearest, from this center
+        if (!offer_sample(e, f.is_rising ? piece.first : piece.last)) return;
+        continue;
+      }
+      constexpr double LEAST = 0x1p-6;
+      if (!(f.least >= LEAST)) break;
+      const Foot foot(curves_, center_, piece, f.least, inner());
+      if (foot.outcome == Foot::Outcome::TOO_FAR) return;
+      if (foot.outcome != Foot::Outcome::FOUND) break;
+      const Xy<double> q = curves_.evaluator(curves_.bezier_of(piece.segment))(foot.better_t).point;
+      if (!offer(boundary_.place(e, foot.better_t), q)) return;
+    }
+    const auto parts = halves(curves_, piece);
+    if (!parts) {
+      offer_sample(e, piece.first);
+      return;
+    }
+    // along the disc, where very many halves are near it: they would tell no more of what is less than can be told
+    constexpr int MANY = 256;
+    if (++halved_ > MANY && distance_bounds(center_, fat).lower >= inner_of_arcs(piece.segment)) {
+      bool is_in = false;
+      for (const Spiral_sample* s : {&piece.first, &parts->first.last, &piece.last})
+        if (euclidean_norm(s->point - center_) < inner()) is_in = offer_sample(e, *s) || is_in;
+      if (!is_in) return;
+    }
+    const Fat_arc_2 fat0 = curves_.region(parts->first), fat1 = curves_.region(parts->second);
+    offer_sample(e, parts->first.last);
+    const bool is_first_nearer = distance_bounds(center_, fat0).lower < distance_bounds(center_, fat1).lower;
+    if (is_first_nearer) refine(e, parts->first, fat0);
+    refine(e, parts->second, fat1);
+    if (!is_first_nearer) refine(e, parts->first, fat0);
+  }
+
+  const Axis_boundary& boundary_;
+  const Segment_hierarchy& curves_;
+  const Ranges& ranges_;
+  Xy<double> p_, normal_;
+  double radius_;
+  Xy<double> center_;
+  double resolution_;
+  Boundary_place place_;
+  int halved_ = 0;
+  bool is_found_ = false;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for common points.
+
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_INTERSECTION_SEARCH_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_INTERSECTION_SEARCH_H
+
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../curve/exact_bezier.h"
+#include "Pair_search.h"
+#include "exact_intersections.h"
+#include "join_intersections.h"
+#include "line_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
+/// counted once.
+/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
+template <class Curves = Segment_hierarchy> class Intersection_search {
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
+
+ public:
+  Intersection_search(const Curves& a, const Curves& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
+  explicit Intersection_search(const Curves& a) : Intersection_search(a, a) { is_self_ = true; }
+
+  /// \param joins_overlaps whether overlaps of Bezier pieces are joined to those of whole curves
+  [[nodiscard]] Intersections_2<> all(bool joins_overlaps = true) {
+    find_all();
+    return internal::joined(found_, joints_a_, joints_b_, is_self_, joins_overlaps);
+  }
+  /// Returns them by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts
+  /// there.
+  [[nodiscard]] Numbered_intersections by_pieces() && {
+    find_all();
+    return std::move(found_);
+  }
+
+  [[nodiscard]] std::optional<bool> any() {
+    const auto is_certain = [this] {
+      if (!ends_.empty() || !found_.points.empty() || !found_.overlaps.empty()) return true;
+      for (const internal::Newton_box& root : results_.roots)
+        if (root.is_inside()) return true;
+      return false;
+    };
+    search([&] { return !is_certain(); });
+    if (is_certain()) return true;
+    Intersection_search whole(a_, b_);
+    const Intersections_2<> rest = results_.open.empty() && results_.roots.empty() ? Intersections_2<>{} : whole.all();
+    for (const Intersection_2<>& p : rest.points)
+      if (p.kind != Intersection_kind::UNDECIDED) return true;
+    if (!rest.overlaps.empty()) return true;
+    return rest.points.empty() ? std::optional(false) : std::nullopt;
+  }
+
+ private:
+  void find_all() {
+    search([] { return true; });
+    leave_open_what_is_at_ends();
+    if (is_self_)
+      for (const std::uint32_t bezier : a_.hidden_tips()) open_.emplace_back(bezier, bezier);
+    std::sort(open_.begin(), open_.end());
+    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    keep_proven();
+    if (exact())
+      for (const Pair& pair : open_) add_exactly(pair);
+    else add_undecided();
+  }
+
+  struct Common_end {
+    Pair beziers;
+    double t, s;
+  };
+
+  [[nodiscard]] bool exact() const { return a_.decisions() == Decisions::EXACT && b_.decisions() == Decisions::EXACT; }
+
+  // \param go_on bool(), asked after each two segments
+  template <class GoOn> void search(const GoOn& go_on) {
+    const auto same_end = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
+      return is_same_end(i, p.t, j, q.t);
+    };
+    const auto common = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
+      if (!is_end(p.t) || !is_end(q.t)) return;  // a cut of one piece, or of two with the same numbers
+      const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
+      if (is_self_ && is_joint_of_neighbours(beziers, {p.t, p.t}, {q.t, q.t})) return;
+      ends_.push_back({beziers, p.t, q.t});
+    };
+    internal::Pair_search pairs(a_, b_, same_end, common, results_);
+    const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+      if (is_self_ && j < i) std::swap(i, j);
+      if (is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
+        if (a_.piece(i).first.t == 0)
+          found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
+        return go_on();
+      }
+      if (add_of_lines(a_.bezier_of(i), b_.bezier_of(j))) return go_on();
+      if (const auto end = sole_common_end(a_.bezier_of(i), b_.bezier_of(j))) {
+        const Spiral_piece_2 of_a = a_.piece(i), of_b = b_.piece(j);
+        const Spiral_sample &p = end->first == 0 ? of_a.first : of_a.last,
+                            &q = end->second == 0 ? of_b.first : of_b.last;
+        if (p.t == end->first && q.t == end->second) common(i, p, j, q);
+        return go_on();
+      }
+      pairs(i, j);
+      return go_on();
+    };
+    if (is_self_) for_each_overlap(a_.boxes(), visit);
+    else for_each_overlap(a_.boxes(), b_.boxes(), visit);
+  }
+
+  [[nodiscard]] bool are_lines(const Pair& beziers) const {
+    const auto [a, b] = beziers;
+    return is_line(a_.bezier(a)) && is_line(b_.bezier(b)) && a_.rounding(a) == 0 && b_.rounding(b) == 0;
+  }
+  // Filter: line segments, but for those that cross between their ends.
+  // \return whether all of their common points are told
+  [[nodiscard]] bool add_of_lines(std::uint32_t a, std::uint32_t b) {
+    if (!are_lines({a, b})) return false;
+    const std::optional<Piece_intersections> common = line_intersections(a_.bezier(a), b_.bezier(b));
+    if (!common) return false;
+    for (const Piece_intersection& p : common->points)
+      if (!is_self_ || !is_joint_of_neighbours({a, b}, p.a, p.b)) found_.points.push_back({{a, b}, p});
+    for (const Piece_overlap& o : common->overlaps) found_.overlaps.push_back({{a, b}, o});
+    return true;
+  }
+  [[nodiscard]] bool is_joint_of_neighbours(const Pair& beziers, const Bracket& t, const Bracket& s) const {
+    if (!t.is_single() || !is_end(t.lower) || !s.is_single() || !is_end(s.lower)) return false;
+    const Joint_place at_a = joints_a_.place(beziers.first, t), at_b = joints_b_.place(beziers.second, s);
+    return at_a.bezier == at_b.bezier && at_a.t.lower == at_b.t.lower;
+  }
+
+  // Filter: a level or upright line through a common end has the other control points of both pieces on different
+  // sides, and none on it, so the curves, too.  Comparisons of doubles: exact.
+  // \return the parameters of the only common point, if it is such a one
+  [[nodiscard]] std::optional<std::pair<double, double>> sole_common_end(std::uint32_t a, std::uint32_t b) const {
+    if ((is_self_ && a == b) || a_.rounding(a) != 0 || b_.rounding(b) != 0) return std::nullopt;
+    const auto &p = a_.bezier(a).control_points(), &q = b_.bezier(b).control_points();
+    for (const bool is_p_last : {false, true})
+      for (const bool is_q_last : {false, true}) {
+        const Xy<double>& at = is_p_last ? p.back() : p.front();
+        if (!(at == (is_q_last ? q.back() : q.front()))) continue;
+        const auto side = [&at](const auto& points, bool is_last, double Xy<double>::*number) {
+          const auto is_at = [&](auto beyond) {
+            return std::all_of(points.begin() + (is_last ? 0 : 1), points.end() - (is_last ? 1 : 0), beyond);
+          };
+          if (is_at([&](const Xy<double>& r) { return r.*number < at.*number; })) return -1;
+          return is_at([&](const Xy<double>& r) { return r.*number > at.*number; }) ? 1 : 0;
+        };
+        for (const auto number : {&Xy<double>::x, &Xy<double>::y})
+          if (side(p, is_p_last, number) * side(q, is_q_last, number) < 0)
+            return std::pair(is_p_last ? 1.0 : 0.0, is_q_last ? 1.0 : 0.0);
+      }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
+  // Whether C_i(t) and C_j(s) are one point: both at ends of Bezier pieces, or the same cut of the same piece.
+  [[nodiscard]] bool is_same_end(std::uint32_t i, double t, std::uint32_t j, double s) const {
+    const bool is_one = is_self_ && a_.bezier_of(i) == b_.bezier_of(j);
+    if (t == s && (is_one || is_same_piece(i, j))) return true;
+    if (!is_end(t) || !is_end(s)) return false;
+    const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
+    if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;  // as their doubles are
+    const auto p = a_.exact_bezier(bezier_a).control_points(), q = b_.exact_bezier(bezier_b).control_points();
+    return (t == 0 ? p.front() : p.back()) == (s == 0 ? q.front() : q.back());
+  }
+  // Whether segments are of Bezier pieces with the same numbers, of different drawings or at different places of one.
+  [[nodiscard]] bool is_same_piece(std::uint32_t i, std::uint32_t j) const {
+    const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
+    if (is_self_ && bezier_a == bezier_b) return false;
+    const auto& p = a_.bezier(bezier_a);
+    const auto& q = b_.bezier(bezier_b);
+    if (!(p.control_points() == q.control_points()) || p.weights() != q.weights()) return false;
+    if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;
+    const auto exact_p = a_.exact_bezier(bezier_a), exact_q = b_.exact_bezier(bezier_b);
+    return exact_p.control_points() == exact_q.control_points() && exact_p.weights() == exact_q.weights();
+  }
+
+  // A root whose range reaches over an end of its piece may be on the next one, or none.
+  void leave_open_what_is_at_ends() {
+    for (const internal::Open_pair& o : results_.open) open_.push_back({a_.bezier_of(o.a), b_.bezier_of(o.b)});
+    for (const internal::Newton_box& root : results_.roots)
+      if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
+  }
+  [[nodiscard]] bool is_open(const Pair& beziers) const {
+    return std::binary_search(open_.begin(), open_.end(), beziers);
+  }
+
+  // Roots of pairs that are not open, each once, and common ends.
+  void keep_proven() {
+    std::vector<internal::Newton_box>& roots = results_.roots;
+    const auto before = [](const internal::Newton_box& x, const internal::Newton_box& y) {
+      if (x.bezier_a != y.bezier_a) return x.bezier_a < y.bezier_a;
+      return x.bezier_b != y.bezier_b ? x.bezier_b < y.bezier_b : x.a.lower < y.a.lower;
+    };
+    std::sort(roots.begin(), roots.end(), before);
+    std::vector<const internal::Newton_box*> kept;  // of the same two pieces
+    for (const internal::Newton_box& root : roots) {
+      const Pair beziers{root.bezier_a, root.bezier_b};
+      if ((is_open(beziers) && exact()) || !root.is_inside()) continue;
+      if (!kept.empty() && beziers != Pair{kept.back()->bezier_a, kept.back()->bezier_b}) kept.clear();
+      const auto is_this = [&](const internal::Newton_box* k) { return k->is_same(root) || root.is_same(*k); };
+      if (std::any_of(kept.begin(), kept.end(), is_this)) continue;
+      found_.points.push_back({beziers, {root.a, root.b, Intersection_kind::TRANSVERSAL}});
+      kept.push_back(&root);
+    }
+    for (const Common_end& end : ends_) {
+      if (is_open(end.beziers) && exact()) continue;
+      found_.points.push_back({end.beziers, {{end.t, end.t}, {end.s, end.s}, kind_at(end)}});
+    }
+  }
+  [[nodiscard]] Intersection_kind kind_at(const Common_end& end) const {
+    const auto [first, second] = end.beziers;
+    const Xy<double> u = end_direction(a_.bezier(first), end.t), v = end_direction(b_.bezier(second), end.s);
+    // differences err by 2 roundings of coordinates, and products by one of themselves
+    const double error_u = 4 * (a_.rounding(first) + HALF_ULP * a_.evaluator(first).coordinate_size()),
+                 error_v = 4 * (b_.rounding(second) + HALF_ULP * b_.evaluator(second).coordinate_size());
+    const double length_u = euclidean_norm(u), length_v = euclidean_norm(v);
+    if (std::fabs(cross(u, v)) >
+        length_u * error_v + length_v * error_u + error_u * error_v + 4 * HALF_ULP * length_u * length_v)
+      return Intersection_kind::TRANSVERSAL;
+    const auto exact_u = end_direction(a_.exact_bezier(first), end.t),
+               exact_v = end_direction(b_.exact_bezier(second), end.s);
+    return cross(exact_u, exact_v) == Exact_rational(0) ? Intersection_kind::TANGENTIAL
+                                                        : Intersection_kind::TRANSVERSAL;
+  }
+
+  void add_exactly(const Pair& beziers) {
+    if (are_lines(beziers)) {  // which cross, as add_of_lines left them open
+      found_.points.push_back({beziers, line_crossing(a_.bezier(beziers.first), b_.bezier(beziers.second))});
+      return;
+    }
+    const bool is_own = is_self_ && beziers.first == beziers.second;
+    const Piece_intersections exact =
+        is_own ? exact_self_intersections(a_.exact_bezier(beziers.first))
+               : exact_intersections(a_.exact_bezier(beziers.first), b_.exact_bezier(beziers.second));
+    for (const Piece_intersection& p : exact.points) found_.points.push_back({beziers, p});
+    for (const Piece_overlap& o : exact.overlaps) found_.overlaps.push_back({beziers, o});
+  }
+
+  // Ranges that touch are one.
+  void add_undecided() {
+    std::vector<Numbered_point> open;
+    for (const internal::Open_pair& o : results_.open)
+      open.push_back(
+          {{a_.bezier_of(o.a), b_.bezier_of(o.b)}, {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
+    for (const internal::Newton_box& root : results_.roots)
+      if (!root.is_inside())
+        open.push_back(
+            {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
+    internal::add_clusters(std::move(open), found_.points);
+  }
+  [[nodiscard]] static Bracket within(const Bracket& t) {
+    return {std::clamp(t.lower, 0.0, 1.0), std::clamp(t.upper, 0.0, 1.0)};
+  }
+
+  const Curves &a_, &b_;
+  Curve_joints joints_a_, joints_b_;
+  bool is_self_ = false;
+  internal::Pair_results results_;
+  std::vector<Common_end> ends_;
+  std::vector<Pair> open_;  // sorted, once it is complete
+  Numbered_intersections found_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

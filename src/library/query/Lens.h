@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Length of a piece of a spiral, and what is between it and its chord: both lie between those of the arcs that touch it
+// in its ends, as the three are convex curves one inside the other.
+//
+// Over a chord of length L an arc with bulge b is  L (1 + b^2) atan(b) / b  long, and between them is
+//   A = L^2 / (8 b^2) ((1 + b^2)^2 atan b - b (1 - b^2))
+//     = L^2 b / 3 (1 + b^2 / 5 - b^4 / 35 + ... + (-1)^k 3 b^(2k-2) / ((2k+1) (2k-1) (2k-3)) + ...),
+// from circular sectors with the angle 4 atan b.  Both grow with |b|.  A is positive for a left turn: run through on
+// the arc instead of the chord, a counterclockwise curve has more inside.
+
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_LENS_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_LENS_H
+
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A / L^2.
+/// \guarantee within 100 u of itself: the series errs by its first term left out, 2^-51 of itself, and 20 roundings;
+///   the other form has differences that are at least b^2 of what they are made of, which multiplies 6 roundings by 16
+[[nodiscard]] inline double lens_share(double b) {
+  constexpr double SERIES = 0.25;
+  constexpr int LAST_TERM = 10;
+  const double square = b * b;
+  if (std::fabs(b) > SERIES) {
+    const double m = 1 + square;
+    return (m * m * std::atan(b) - b * (1 - square)) / (8 * square);
+  }
+  double sum = 0;
+  for (int k = LAST_TERM; k >= 2; --k)
+    sum = square * (3.0 / ((2 * k + 1) * (2 * k - 1) * (2 * k - 3)) * (k % 2 == 0 ? 1 : -1) + sum);
+  return b / 3 * (1 + sum);
+}
+[[nodiscard]] inline double length_share(double b) {
+  constexpr double FLAT = 0x1p-30;  // below, atan b is b, and b^2 nothing beside 1
+  return std::fabs(b) < FLAT ? 1 : (1 + b * b) * (std::atan(b) / b);
+}
+
+/// A piece between its samples: chord, and bulges of the arcs that touch the exact piece, between two bounds.
+///
+/// As in fat_arc a bulge errs by 1.1 times what the angles do; the chord by 2 e.
+struct Lens {
+  Xy<double> from, to;
+  double chord, error;
+  bool has_bulges;  ///< false where directions are open: a box is all that is known
+  Bracket bulge{};
+  double room = 0;  ///< of a bulge
+
+  Lens(const Spiral_piece_2& piece, double e) : from(piece.first.point), to(piece.last.point), error(e) {
+    const End_bulges bulges(piece, e);
+    chord = bulges.length;
+    has_bulges = bulges.are_known();
+    if (!has_bulges) return;
+    const double b0 = bulges.first, b1 = bulges.last;
+    room = 1.1 * bulges.angle_error;
+    bulge = {std::clamp((std::min)(b0, b1) - room, -1.0, 1.0), std::clamp((std::max)(b0, b1) + room, -1.0, 1.0)};
+  }
+
+  /// Halving such a piece tells nothing better.
+  [[nodiscard]] bool is_short() const { return !(chord > 64 * error); }
+  /// What rounding leaves open of the area, where the piece itself leaves nothing: its derivative by the bulge is
+  /// L^2 / 3 and more, up to half a circle by 1.5.
+  [[nodiscard]] double area_floor() const {
+    return has_bulges ? chord * (chord * (room + 220 * HALF_ULP) + 6 * error) : 0;
+  }
+
+  [[nodiscard]] double box_area() const {
+    return (std::fabs(to.x - from.x) + 2 * error) * (std::fabs(to.y - from.y) + 2 * error);
+  }
+
+  /// What is to the left of the exact piece more than to the left of the chord between the computed points, with the
+  /// ways between computed and exact ends counted to the piece.  They make a band of 2 e about the chord.
+  [[nodiscard]] Bracket area() const {
+    const double of_ends = 2 * error * (chord + 2 * error);
+    if (!has_bulges) return {-box_area() - of_ends, box_area() + of_ends};
+    const double square = chord * chord, low = square * lens_share(bulge.lower),
+                 high = square * lens_share(bulge.upper);
+    const double part = (5 * error / chord + 110 * HALF_ULP) * (std::max)(std::fabs(low), std::fabs(high));
+    return {low - part - of_ends, high + part + of_ends};
+  }
+
+  /// The length of the exact piece; 4 e for the chord and for slivers beside its ends.
+  [[nodiscard]] Bracket length() const {
+    constexpr double DOWN = ROUNDED_DOWN<16>, UP = ROUNDED_UP<16>;
+    const double low = chord, high = std::fabs(to.x - from.x) + std::fabs(to.y - from.y);
+    if (!has_bulges) return {(std::max)(0.0, low * DOWN - 4 * error), high * UP + 4 * error};
+    const bool has_both_signs = bulge.lower < 0 && bulge.upper > 0;
+    const double b0 = std::fabs(bulge.lower), b1 = std::fabs(bulge.upper);
+    const double least = has_both_signs ? 0 : (std::min)(b0, b1), most = (std::max)(b0, b1);
+    return {(std::max)(0.0, low * length_share(least) * DOWN - 4 * error),
+            (std::min)(low * length_share(most), high) * UP + 4 * error};
+  }
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

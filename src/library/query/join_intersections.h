@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What pairs of Bezier pieces have in common, as what whole curves have: a point at a joint of pieces is found by both
+// of them and counts once, and parts of overlaps are joined where they go on.
+
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_JOIN_INTERSECTIONS_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_JOIN_INTERSECTIONS_H
+
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "Curve_joints.h"
+#include "Numbered_intersections.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// Joins ranges of the same two pieces that touch, and appends them.
+inline void add_clusters(std::vector<Numbered_point> open, std::vector<Numbered_point>& to) {
+  const auto touch = [](const Bracket& p, const Bracket& q) { return p.lower <= q.upper && q.lower <= p.upper; };
+  const auto join = [](Bracket& p, const Bracket& q) {
+    p = {(std::min)(p.lower, q.lower), (std::max)(p.upper, q.upper)};
+  };
+  std::sort(open.begin(), open.end(), [](const Numbered_point& p, const Numbered_point& q) {
+    return std::tie(p.beziers, p.common.a.lower) < std::tie(q.beziers, q.common.a.lower);
+  });
+  const std::size_t first = to.size();
+  for (Numbered_point& p : open) {
+    for (std::size_t i = to.size(); i > first; --i) {  // what the new one joins may touch others
+      const Numbered_point& known = to[i - 1];
+      if (known.beziers != p.beziers || !touch(known.common.a, p.common.a) || !touch(known.common.b, p.common.b))
+        continue;
+      join(p.common.a, known.common.a);
+      join(p.common.b, known.common.b);
+      to.erase(to.begin() + static_cast<std::ptrdiff_t>(i) - 1);
+      i = to.size() + 1;
+    }
+    to.push_back(p);
+  }
+}
+
+/// A common part with both ways to name its ends.
+class Joined_overlaps {
+ public:
+  Joined_overlaps(const std::vector<Numbered_overlap>& parts, const Curve_joints& a, const Curve_joints& b)
+      : parts_(parts), a_(a), b_(b) {
+    for (std::size_t i = 0; i < parts.size(); ++i) starts_.emplace(from(i).first.bezier, i);
+  }
+  /// Whether a point is an end of a part.
+  [[nodiscard]] bool has_end(const Joint_place& p, const Joint_place& q) const {
+    const auto range = starts_.equal_range(p.bezier);
+    for (auto i = range.first; i != range.second; ++i)
+      if (from(i->second).first.touches(p) && from(i->second).second.touches(q)) return true;
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (to(i).first.touches(p) && to(i).second.touches(q)) return true;
+    return false;
+  }
+  /// Each part by itself.
+  [[nodiscard]] std::vector<Overlap_2> parts() const {
+    std::vector<Overlap_2> result;
+    for (std::size_t i = 0; i < parts_.size(); ++i) result.push_back(overlap(i, i));
+    return result;
+  }
+  [[nodiscard]] std::vector<Overlap_2> joined() const {
+    std::vector<std::size_t> next(parts_.size(), parts_.size());
+    std::vector<char> has_before(parts_.size(), 0), is_done(parts_.size(), 0);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const auto end = to(i);
+      const auto range = starts_.equal_range(end.first.bezier);
+      for (auto j = range.first; j != range.second; ++j) {
+        const auto start = from(j->second);
+        if (has_before[j->second] != 0 || j->second == i || runs_forward(i) != runs_forward(j->second)) continue;
+        if (!start.first.touches(end.first) || !start.second.touches(end.second)) continue;
+        next[i] = j->second;
+        has_before[j->second] = 1;
+        break;
+      }
+    }
+    std::vector<std::size_t> order(parts_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return from(i) < from(j); });
+    std::vector<Overlap_2> result;
+    for (const bool is_loop : {false, true})  // what has a first part, then rings
+      for (const std::size_t first : order) {
+        if (is_done[first] != 0 || (!is_loop && has_before[first] != 0)) continue;
+        std::size_t last = first;
+        is_done[first] = 1;
+        while (next[last] < parts_.size() && is_done[next[last]] == 0) {
+          last = next[last];
+          is_done[last] = 1;
+        }
+        result.push_back(overlap(first, last));
+      }
+    return result;
+  }
+
+ private:
+  using Places = std::pair<Joint_place, Joint_place>;
+  [[nodiscard]] Places from(std::size_t i) const {
+    const Numbered_overlap& o = parts_[i];
+    return {a_.place(o.beziers.first, o.common.a_from), b_.place(o.beziers.second, o.common.b_from)};
+  }
+  [[nodiscard]] Places to(std::size_t i) const {
+    const Numbered_overlap& o = parts_[i];
+    return {a_.place(o.beziers.first, o.common.a_to), b_.place(o.beziers.second, o.common.b_to)};
+  }
+  [[nodiscard]] Overlap_2 overlap(std::size_t first, std::size_t last) const {
+    const Numbered_overlap &f = parts_[first], &l = parts_[last];
+    return {a_.curve_range(f.beziers.first, f.common.a_from), a_.curve_range(l.beziers.first, l.common.a_to),
+            b_.curve_range(f.beziers.second, f.common.b_from), b_.curve_range(l.beziers.second, l.common.b_to),
+            !runs_forward(first)};
+  }
+  [[nodiscard]] bool runs_forward(std::size_t i) const {
+    return parts_[i].common.b_from.lower <= parts_[i].common.b_to.lower;
+  }
+
+  const std::vector<Numbered_overlap>& parts_;
+  const Curve_joints &a_, &b_;
+  std::multimap<std::uint32_t, std::size_t> starts_;  // by Bezier piece
+};
+
+/// The ends of pieces that ranges of undecided points reach: a common end there may belong to a part that is shared.
+class Undecided_ends {
+ public:
+  Undecided_ends(const std::vector<Numbered_point>& points, const Curve_joints& a, const Curve_joints& b) {
+    for (const Numbered_point& p : points) {
+      if (p.common.kind != Intersection_kind::UNDECIDED) continue;
+      for (const double t : {p.common.a.lower, p.common.a.upper})
+        for (const double s : {p.common.b.lower, p.common.b.upper})
+          ends_.emplace_back(a.place(p.beziers.first, {t, t}), b.place(p.beziers.second, {s, s}));
+    }
+    std::sort(ends_.begin(), ends_.end());
+  }
+  [[nodiscard]] bool have(const Joint_place& p, const Joint_place& q) const {
+    return std::binary_search(ends_.begin(), ends_.end(), std::pair(p, q));
+  }
+
+ private:
+  std::vector<std::pair<Joint_place, Joint_place>> ends_;
+};
+
+/// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
+/// \param joins_overlaps whether parts of overlaps are joined where they go on
+[[nodiscard]] inline Intersections_2<> joined(const Numbered_intersections& found, const Curve_joints& a,
+                                              const Curve_joints& b, bool is_self, bool joins_overlaps) {
+  struct Point {
+    Joint_place a, b;
+    Intersection_kind kind;
+  };
+  const Joined_overlaps overlaps(found.overlaps, a, b);
+  const Undecided_ends undecided(found.points, a, b);
+  std::vector<Point> points;
+  for (const Numbered_point& p : found.points) {
+    Point q{a.place(p.beziers.first, p.common.a), b.place(p.beziers.second, p.common.b), p.common.kind};
+    if (q.kind != Intersection_kind::UNDECIDED && (undecided.have(q.a, q.b) || (is_self && undecided.have(q.b, q.a))))
+      continue;
+    if (is_self && q.b < q.a) std::swap(q.a, q.b);
+    if (is_self && q.a.is_start() && q.b.is_start() && q.a.bezier == q.b.bezier) continue;
+    if (q.kind != Intersection_kind::UNDECIDED && overlaps.has_end(q.a, q.b)) continue;  // more may be left open there
+    points.push_back(q);
+  }
+  std::sort(points.begin(), points.end(),
+            [](const Point& p, const Point& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+  Intersections_2<> result;
+  std::vector<Point> kept;
+  for (const Point& p : points) {
+    const bool is_at_joint = p.a.is_start() || p.b.is_start();
+    bool is_known = false;
+    for (std::size_t i = kept.size(); is_at_joint && i > 0 && kept[i - 1].a.touches(p.a); --i) {
+      Point& q = kept[i - 1];
+      if (!q.b.touches(p.b) || (q.kind == Intersection_kind::UNDECIDED) != (p.kind == Intersection_kind::UNDECIDED))
+        continue;
+      is_known = true;
+      if (p.kind == Intersection_kind::TANGENTIAL) q.kind = p.kind;  // where a corner touches with one of its sides
+    }
+    if (!is_known) kept.push_back(p);
+  }
+  for (const Point& p : kept) result.points.push_back({a.point(p.a), p.kind, a.curve_range(p.a), b.curve_range(p.b)});
+  result.overlaps = joins_overlaps ? overlaps.joined() : overlaps.parts();
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

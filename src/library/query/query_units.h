@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The ways of a query into a drawing's unit (curve/Unit.h) and of its answer back.
+
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_QUERY_UNITS_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_QUERY_UNITS_H
+
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace CGAL::Bounding_arcs {
+
+/// \throws std::invalid_argument for a point that the unit does not serve: farther away than all curves by 2^500 of
+///   them, or with a coordinate that is lost beside theirs
+[[nodiscard]] inline Xy<double> point_in(const Unit& unit, const Xy<double>& q) {
+  check_point(q);
+  const Xy<double> p = unit.in(q);
+  if (!is_queried(p)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 times the drawing's", q));
+  if (!unit.keeps(q))
+    throw std::invalid_argument(expected("point", "coordinates that are not lost beside the drawing's", q));
+  return p;
+}
+
+/// Returns a point that is asked about in a unit.
+[[nodiscard]] inline Asked_point point_in(const Unit& unit, const Asked_point& q) {
+  if (q.exact) return Asked_point(Xy<Exact_rational>{unit.exactly_in(q.exact->x), unit.exactly_in(q.exact->y)});
+  return point_in(unit, q.point);
+}
+
+/// Returns a closest point in the drawing's own lengths.
+[[nodiscard]] inline Closest_point<> out(const Unit& unit, const Closest_point<>& p) {
+  return {unit.bounds_out(p.distance), unit.out(p.point), p.place, p.status};
+}
+/// Returns a point of a drawing in its own lengths.
+[[nodiscard]] inline Drawing_point<> out(const Unit& unit, const Drawing_point<>& p) {
+  return {unit.out(p.point), p.place};
+}
+/// Returns a distance in the drawings' own lengths.
+[[nodiscard]] inline Drawing_distance<> out(const Unit& unit, const Drawing_distance<>& d) {
+  return {unit.bounds_out(d.distance), out(unit, d.a), out(unit, d.b), d.status};
+}
+
+/// Returns common points in the drawings' own lengths.
+[[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
+  for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
+  return found;
+}
+
+/// Bounds of the distance from a point that is at most so far from the one that they are for.
+[[nodiscard]] inline Bracket widened(const Bracket& d, double error) {
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  return {(std::max)(0.0, std::nextafter(d.lower - error, -INFINITE)), std::nextafter(d.upper + error, INFINITE)};
+}
+
+/// \throws std::invalid_argument unless a tolerance is a positive number
+inline void check_positive(double eps) {
+  if (!(eps > 0) || !std::isfinite(eps)) throw std::invalid_argument(expected("eps", "a finite number above 0", eps));
+}
+/// \throws std::invalid_argument for less than 0 and for no number
+inline void check_tolerance(double eps) {
+  if (!(eps >= 0)) throw std::invalid_argument(expected("eps", "a number of at least 0", eps));
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
