@@ -53,7 +53,8 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     pair_ = {segment_a, segment_b};
     error_ = a_.error(segment_a) + b_.error(segment_b);
     budget_ = MOST_PAIRS;
-    refine({a_.piece(segment_a), a_.region(segment_a)}, {b_.piece(segment_b), b_.region(segment_b)});
+    const auto of_a = a_.region(segment_a), of_b = b_.region(segment_b);  // most are apart, and need no pieces
+    if (!are_apart(of_a, of_b)) refine({a_.piece(segment_a), of_a}, {b_.piece(segment_b), of_b});
   }
 
  private:
@@ -64,8 +65,8 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
         {a.piece.segment, b.piece.segment, a.piece.first.t, a.piece.last.t, b.piece.first.t, b.piece.last.t});
   }
 
+  // \pre they are not apart
   void refine(const Piece& a, const Piece& b) {
-    if (are_apart(a.region, b.region)) return;
     const Cones cones(a.piece, b.piece);
     if (is_settled_at_end(a.piece, b.piece, cones)) return;
     if (cones.are_transversal && is_settled_by_newton(a, b)) return;
@@ -82,8 +83,8 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     if (!middle) return leave_open(a, b);
     for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
       const Piece part{*half, curves.region(*half)};
-      if (of_a) refine(part, b);
-      else refine(a, part);
+      const Piece &first = of_a ? part : a, &second = of_a ? b : part;
+      if (!are_apart(first.region, second.region)) refine(first, second);
     }
   }
 

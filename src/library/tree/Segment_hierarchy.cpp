@@ -90,7 +90,8 @@ Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& par
   return result;
 }
 
-Segment_hierarchy::Segment_hierarchy(const std::vector<std::shared_ptr<const Segment_hierarchy>>& members) {
+Segment_hierarchy::Segment_hierarchy(const std::vector<std::shared_ptr<const Segment_hierarchy>>& members)
+    : is_forest_(true) {
   std::size_t beziers = 0, segments = 0;
   for (const auto& of : members) {
     beziers += of->number_of_beziers();

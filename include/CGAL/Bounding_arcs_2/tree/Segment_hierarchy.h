@@ -212,7 +212,7 @@ class Segment_hierarchy {
 
   Segment_hierarchy() = default;
   void build(const Drawing_2<Exact_rational>* exact, const Segment_hierarchy* cut);
-  [[nodiscard]] bool is_forest() const { return !members_.empty(); }
+  [[nodiscard]] bool is_forest() const { return is_forest_; }
   [[nodiscard]] const Segment& at(std::uint32_t segment) const {
     if (!is_forest()) return segments_[segment];
     const Member& member = members_[member_of_segment_[segment]];
@@ -242,7 +242,7 @@ class Segment_hierarchy {
   std::shared_ptr<const Drawing_2<double>> drawing_;
   std::shared_ptr<Drawing_2<double>> own_drawing_;  // the same, where curves were replaced
   Decisions decisions_ = Decisions::EXACT;
-  bool is_rounded_ = false;
+  bool is_rounded_ = false, is_forest_ = false;
   std::vector<Bezier_evaluator> evaluators_;
   std::vector<std::uint32_t> first_bezier_;
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
