@@ -12,6 +12,7 @@
 #include "option_words.h"
 #include "svg_paths.h"
 #include "usage.h"
+#include "written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -244,15 +246,21 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   out << "</svg>\n";
 }
 
-// A layer a curve.
-void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves, Dxf_entities entities) {
-  std::vector<Dxf_chain> chains;
-  for (const Fitted_curve& c : curves) {
-    chains.push_back({c.record.name, {}});
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) chains.back().pieces.push_back(arc);
-  }
-  const bool is_drawing = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
-  write_dxf(out, chains, is_drawing, entities);
+Written_drawing written(const std::vector<Fitted_curve>& curves, const File_unit& unit,
+                        const std::optional<ba::Page>& page) {
+  Written_drawing drawing;
+  drawing.y_is_down = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
+  drawing.unit_in_mm = unit.in_mm;
+  drawing.page = page;
+  for (const Fitted_curve& c : curves)
+    drawing.curves.push_back({c.record.name, look_of(c.record), {c.chain.arcs.begin(), c.chain.arcs.end()}});
+  return drawing;
+}
+
+// The rule of a DXF file is not that of SVG, which plays a part where closed curves are within others.
+void tell_of_rule(const std::string& file, ba::Fill_rule rule, std::size_t closed) {
+  if (rule == ba::Fill_rule::EVEN_ODD && closed > 1)
+    tell(file, "its rule is evenodd, which is not that of plain SVG: read that with --rule evenodd");
 }
 
 }  // namespace
@@ -274,6 +282,7 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       ->check(one_of({"two", "inner", "outer"}))
       ->capture_default_str();
   add_output(*arcs, {"table", "json", "csv", "svg", "dxf"}, options.format, options.output);
+  add_plain(*arcs, options.is_plain);
   add_dxf_entities(*arcs, options.dxf);
   add_stream_options(*arcs, options.stream, options.format);
   arcs->add_option("--repeat", options.repeat,
@@ -288,7 +297,8 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
       "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
       "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n"
-      "  bounding_arcs arcs --eps 0.01 --format dxf drawing.svg -o drawing.dxf\n"
+      "  bounding_arcs arcs --eps 0.01 drawing.svg --plain -o drawing_of_arcs.svg\n"
+      "  bounding_arcs arcs --eps 0.01 --units mm --format dxf drawing.svg -o drawing.dxf\n"
       "  bounding_arcs arcs --eps 0.01 --format dxf --dxf-entities arcs drawing.svg -o drawing.dxf\n"
       "  bounding_arcs arcs --eps 0.01 --stream --jobs 8 records.jsonl -o results.jsonl\n");
   return arcs;
@@ -305,21 +315,27 @@ int run_arcs(const Arcs_options& options) {
     };
     return run_stream(options.stream, options.files.front(), options.output, answer);
   }
+  check_plain(options.is_plain, options.format);
   std::vector<Fitted_curve> curves;
-  std::vector<File_unit> units;
+  Reading_words reading = options.reading;
+  std::optional<ba::Page> page;
   for (const std::string& file : options.files) {
-    ba::Curve_file read = read_told(file, options.reading);
-    units.push_back({name_of_file(file), read.unit_in_mm});
+    ba::Curve_file read = read_told(file, reading);
+    reading.keep_unit({name_of_file(file), read.unit_in_mm});
+    if (!page) page = read.page;
+    if (options.is_plain)
+      tell_of_rule(name_of_file(file), read.rule,
+                   static_cast<std::size_t>(std::count_if(read.curves.begin(), read.curves.end(),
+                                                          [](const Curve_record& r) { return r.closed; })));
     for (Curve_record& record : read.curves) curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
   }
-  if (options.format == "dxf") {
-    tell_units(units);
-    tell_units_of_dxf(units);
-  }
+  if (options.format == "dxf") tell_units_of_dxf(reading.unit);
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
+  else if (options.is_plain) write_plain_svg(output.stream(), written(curves, reading.unit, page));
   else if (options.format == "svg") draw(output.stream(), curves, eps);
-  else if (options.format == "dxf") write_dxf(output.stream(), curves, dxf_entities(options.dxf));
+  else if (options.format == "dxf")
+    write_dxf(output.stream(), written(curves, reading.unit, page), dxf_entities(options.dxf));
   else if (options.format == "csv") write_csv(output.stream(), curves);
   else write_table(output.stream(), curves, eps);
   output.commit();

@@ -24,6 +24,7 @@ struct Arcs_options {
   std::vector<std::string> files;
   std::string eps, continuity = "tangent", side = "two", format = "table", output, dxf = "polylines";
   std::size_t repeat = 5, max_arcs = 20'000'000;
+  bool is_plain = false;
   Stream_options stream;
   Reading_words reading;
 };

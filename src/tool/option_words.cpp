@@ -206,6 +206,17 @@ const char* name_of(CGAL::Bounding_arcs::Fill_rule rule) {
   return rule == CGAL::Bounding_arcs::Fill_rule::NONZERO ? "nonzero" : "evenodd";
 }
 
+void add_plain(CLI::App& command, bool& is_plain) {
+  command.add_flag(
+      "--plain", is_plain,
+      "Write SVG that is a drawing again: the result alone, in the coordinates and on the page of what was\n"
+      "read, arcs as arcs, with names as ids, layers and colours");
+}
+
+void check_plain(bool is_plain, const std::string& format) {
+  if (is_plain && format != "svg") throw Usage_error("--format", "svg with --plain, which no other form has", format);
+}
+
 void add_dxf_entities(CLI::App& command, std::string& word) {
   command
       .add_option("--dxf-entities", word,

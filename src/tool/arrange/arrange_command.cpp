@@ -49,12 +49,11 @@ struct Arranged {
 Arranged arranged(const Arrange_words& words) {
   Arranged made;
   Box box;
-  std::vector<File_unit> units;
+  Reading_words reading = words.reading;
   for (const std::string& file : words.files) {
-    made.files.push_back(load_drawing(file, "filtered", words.reading));
-    units.push_back(made.files.back().unit());
+    made.files.push_back(load_drawing(file, "filtered", reading));
+    reading.keep_unit(made.files.back().unit());
   }
-  tell_units(units);
   std::vector<const Bounding_arc_tree_2*> trees;
   for (const Query_drawing& file : made.files) {
     const Bounding_arc_tree_2& curves = *file.curves;

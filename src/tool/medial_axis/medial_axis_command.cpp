@@ -9,12 +9,15 @@
 
 #include "axis_cells.h"
 #include "found_axis.h"
+#include "write_axis.h"
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../dxf/write_dxf.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../written/write_plain_svg.h"
 
 #include <CLI/CLI.hpp>
 
@@ -229,7 +232,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->add_option("--v-bit", words.v_bit,
                    "Write z of each sample, too: how deep a conical bit with that angle at its tip goes, in degrees")
       ->check(number_in(1, 179));
-  add_output(*command, {"json", "svg"}, words.format, words.output);
+  add_output(*command, {"json", "csv", "svg", "dxf"}, words.format, words.output);
+  add_plain(*command, words.is_plain);
   add_stream_options(*command, words.stream, words.format);
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
@@ -271,6 +275,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --cells --format svg -o voronoi.svg\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
+      "  bounding_arcs medial-axis part.dxf --eps 0.01 --conics -o axis.dxf\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 -o carving.json\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
@@ -315,10 +320,15 @@ int run_medial_axis(const Medial_axis_words& words) {
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
+  check_plain(words.is_plain, words.format);
   const Query_drawing loaded = load_axis_drawing(words);
   const Found_axis axis = axis_of(loaded, words);
+  if (words.format == "dxf") tell_units_of_dxf(loaded.unit());
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), axis, loaded, words);
+  else if (words.format == "csv") write_axis_csv(output.stream(), axis, loaded);
+  else if (words.format == "dxf") write_dxf(output.stream(), written_axis(axis, loaded, false));
+  else if (words.is_plain) write_plain_svg(output.stream(), written_axis(axis, loaded, true));
   else draw(output.stream(), axis, loaded, words);
   output.commit();
   return tell_of_axis(loaded, axis, "medial-axis");

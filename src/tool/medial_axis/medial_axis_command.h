@@ -27,6 +27,7 @@ struct Medial_axis_words {
   double margin = 0;  ///< of the frame; 0 for a default
   bool is_framed = false;
   bool with_discs = false, with_feet = false, with_cells = false, with_conics = false;
+  bool is_plain = false;
   bool is_proving = false;  ///< edges have proven bounds
   Stream_options stream;
   Reading_words reading;

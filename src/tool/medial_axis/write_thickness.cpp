@@ -223,4 +223,23 @@ void write_thickness_csv(std::ostream& out, const Found_thickness& found) {
   write_csv(out, table);
 }
 
+Written_drawing written_thickness(const Found_thickness& found) {
+  constexpr CGAL::Bounding_arcs::Curve_colour RED{1, -1}, ORANGE{30, -1};
+  Written_drawing drawing{!found.loaded.flips, found.loaded.unit_in_mm, found.loaded.page};
+  const auto across = [&](const ba::Medial_sample& disc) -> std::vector<Written_piece> {
+    return {Arc_2{point_of(found, disc.left), disc.center, 0}, Arc_2{disc.center, point_of(found, disc.right), 0}};
+  };
+  for (std::size_t k = 0; k < found.stretches.size(); ++k) {
+    const std::vector<ba::Medial_sample>& samples = found.stretches[k].samples;
+    std::vector<Written_piece> pieces;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+      pieces.emplace_back(Arc_2{samples[i].center, samples[i + 1].center, 0});
+    if (pieces.empty()) pieces = across(samples.front());
+    drawing.curves.push_back({"thin_" + std::to_string(k), {"thin", RED}, std::move(pieces)});
+  }
+  for (std::size_t i = 0; i < found.necks.size(); ++i)
+    drawing.curves.push_back({"neck_" + std::to_string(i), {"necks", ORANGE}, across(found.necks[i].disc)});
+  return drawing;
+}
+
 }  // namespace bounding_arcs_tool

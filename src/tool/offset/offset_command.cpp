@@ -14,6 +14,7 @@
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 #include "../usage.h"
+#include "../written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
@@ -181,17 +183,6 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
   out << "</svg>\n";
 }
 
-// A layer a distance.
-void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool flips, Dxf_entities entities) {
-  std::vector<Dxf_chain> chains;
-  for (const ba::Offset& offset : offsets)
-    for (const ba::Offset_chain& chain : offset.chains) {
-      chains.push_back({"offset_" + number(offset.distance), {}});
-      for (const ba::Offset_piece& piece : chain.pieces) chains.back().pieces.push_back(piece.arc);
-    }
-  write_dxf(out, chains, !flips, entities);
-}
-
 ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std::string& file) {
   try {
     return source.at(d);
@@ -219,14 +210,33 @@ struct Offset_input {
   ba::Fill_rule rule = ba::Fill_rule::NONZERO;
   bool flips = true;  // y of the plane is upwards
   double unit_in_mm = 0;
+  std::optional<ba::Page> page = {};
+  std::vector<Curve_look> looks = {};  // of each curve
 };
 Offset_input offset_input(const Offset_words& words) {
   const ba::Curve_file read = read_told(words.file, words.reading);
   Offset_input input{name_of_file(words.file), ba::drawing<double>(read.curves),
                      fill_rule(words.reading.rule, read.rule)};
-  for (const Curve_record& record : read.curves) input.flips = input.flips && !record.y_is_down;
+  for (const Curve_record& record : read.curves) {
+    input.flips = input.flips && !record.y_is_down;
+    input.looks.push_back(look_of(record));
+  }
   input.unit_in_mm = read.unit_in_mm;
+  input.page = read.page;
   return input;
+}
+
+// A layer a distance; a chain has the name and the colour of the curve that its first piece is an offset of.
+Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_input& input) {
+  Written_drawing drawing{!input.flips, input.unit_in_mm, input.page};
+  for (const ba::Offset& offset : offsets)
+    for (const ba::Offset_chain& chain : offset.chains) {
+      const std::size_t source = chain.pieces.front().source.curve;
+      drawing.curves.push_back(
+          {input.drawing.curves()[source].name, {"offset_" + number(offset.distance), input.looks[source].colour}, {}});
+      for (const ba::Offset_piece& piece : chain.pieces) drawing.curves.back().pieces.push_back(piece.arc);
+    }
+  return drawing;
 }
 
 // Ends that meet are those of an outline, as a rule, which is not what is offset.
@@ -306,6 +316,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   add_rule(*offset, words.reading.rule);
   add_reading_options(*offset, words.reading);
   add_output(*offset, {"json", "csv", "svg", "dxf"}, words.format, words.output);
+  add_plain(*offset, words.is_plain);
   add_dxf_entities(*offset, words.dxf);
   add_stream_options(*offset, words.stream, words.format);
   offset->footer(
@@ -318,6 +329,8 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       "Examples:\n"
       "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
       "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"
+      "  bounding_arcs offset part.dxf --units mm --distance -1 --eps 0.01 -o inset.dxf\n"
+      "  bounding_arcs offset drawing.svg --distance -1 --eps 0.01 --plain -o inset.svg\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --cap square --join miter -o outline.json\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n"
       "  bounding_arcs offset --distance 2 --eps 1e-3 --stream - < records.jsonl > results.jsonl\n");
@@ -342,6 +355,7 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
 
 int run_offset(const Offset_words& words) {
   check_eps(words);
+  check_plain(words.is_plain, words.format);
   const double eps = eps_of(words);
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
@@ -354,7 +368,7 @@ int run_offset(const Offset_words& words) {
   const Offset_input input = offset_input(words);
   const ba::Drawing_2<double>& drawing = input.drawing;
   tell_loose_ends(input.file, drawing);
-  if (words.format == "dxf") tell_units_of_dxf({{input.file, input.unit_in_mm}});
+  if (words.format == "dxf") tell_units_of_dxf({input.file, input.unit_in_mm});
   std::vector<ba::Offset> offsets;
   {
     Progress_line progress("offsets");
@@ -362,7 +376,8 @@ int run_offset(const Offset_words& words) {
   }
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
-  else if (words.format == "dxf") write_dxf(output.stream(), offsets, input.flips, dxf_entities(words.dxf));
+  else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));
+  else if (words.is_plain) write_plain_svg(output.stream(), written(offsets, input));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);
   else draw(output.stream(), offsets, drawing, eps, input.flips);
   output.commit();

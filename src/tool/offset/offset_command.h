@@ -25,6 +25,7 @@ struct Offset_words {
   std::string file, distances, eps, join = "round", cap = "round", side = "both", format = "json";
   std::string output, dxf = "polylines";
   double miter_limit = 4;
+  bool is_plain = false;
   Stream_options stream;
   Reading_words reading;
 };
