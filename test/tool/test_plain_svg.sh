@@ -79,11 +79,13 @@ same() {  # FILE FILE: numbers within 1e-11 of the largest of a curve
     END { exit bad || NR == 0 }' || fail "$command_line: $1 is $(measures "$1"), and $2 is $(measures "$2")"
 }
 arcs=''
-for end in '-1 1e-9' '-1 1e-7' '-1 1e-4' '-0.99 0.1' '-0.3 0.9' '0.9 0.3' '0.99999 1e-4' '0.9999999 1e-8'; do
+for end in '-0.999999995 1e-4' '-0.9999999999995 1e-6' '-1 1e-9' '-1 1e-7' '-1 1e-4' '-0.99 0.1' \
+  '-0.3 0.9' '0.9 0.3' '0.99999 1e-4' '0.9999999 1e-8'; do
   arcs+="<path d='M1 0A1 1 0 0 1 $end'/><path d='M1 0A3 1 77 0 0 $end'/>"
 done
 svg "$arcs" > arcs.svg
-for transform in '' 'scale(3e5)' 'scale(1e-5)' 'rotate(17)translate(100,7)' 'scale(1,-1)'; do
+for transform in '' 'scale(3e5)' 'scale(1e-5)' 'rotate(17)translate(100,7)' 'scale(1,-1)' \
+  'rotate(17)scale(0.71234567891234567)'; do
   svg "<g fill='none' transform='$transform'>$arcs</g>" > arcs.svg
   svg '<path d="M-9e6-9e6H9e6V9e6H-9e6Z"/>' > all.svg
   run clip arcs.svg all.svg --join-ends none --plain -o out.svg
