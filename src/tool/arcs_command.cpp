@@ -11,6 +11,7 @@
 #include "dxf/write_dxf.h"
 #include "option_words.h"
 #include "svg_paths.h"
+#include "toolpath/order_passes.h"
 #include "usage.h"
 #include "written/write_plain_svg.h"
 
@@ -246,15 +247,29 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   out << "</svg>\n";
 }
 
+bool is_y_down(const std::vector<Fitted_curve>& curves) {
+  return std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
+}
+
 Written_drawing written(const std::vector<Fitted_curve>& curves, const File_unit& unit,
                         const std::optional<ba::Page>& page) {
   Written_drawing drawing;
-  drawing.y_is_down = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
+  drawing.y_is_down = is_y_down(curves);
   drawing.unit_in_mm = unit.in_mm;
   drawing.page = page;
   for (const Fitted_curve& c : curves)
     drawing.curves.push_back({c.record.name, look_of(c.record), {c.chain.arcs.begin(), c.chain.arcs.end()}});
   return drawing;
+}
+
+// A pass a curve.
+std::vector<Tool_pass> tool_passes(const std::vector<Fitted_curve>& curves, double depth) {
+  std::vector<Tool_pass> passes;
+  for (const Fitted_curve& c : curves) {
+    const std::vector<Arc_2> arcs(c.chain.arcs.begin(), c.chain.arcs.end());
+    for (Tool_pass& pass : passes_of("curve " + c.record.name, -depth, arcs)) passes.push_back(std::move(pass));
+  }
+  return inside_out(passes);
 }
 
 // The rule of a DXF file is not that of SVG, which plays a part where closed curves are within others.
@@ -281,9 +296,10 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
                    "Where the chain may run; inner is the inside of a closed curve, of an open one closed by its chord")
       ->check(one_of({"two", "inner", "outer"}))
       ->capture_default_str();
-  add_output(*arcs, {"table", "json", "csv", "svg", "dxf"}, options.format, options.output);
+  add_output(*arcs, {"table", "json", "csv", "svg", "dxf", "gcode"}, options.format, options.output);
   add_plain(*arcs, options.is_plain);
   add_dxf_entities(*arcs, options.dxf);
+  add_gcode_options(*arcs, options.gcode, true);
   add_stream_options(*arcs, options.stream, options.format);
   arcs->add_option("--repeat", options.repeat,
                    "For the table, fit each curve this often; the least and the median time are shown")
@@ -293,6 +309,7 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       ->check(whole_number_in(1, 4'000'000'000))
       ->capture_default_str();
   arcs->footer(
+      "G-code has a pass a curve; what lies in a closed one comes first, and then what starts nearest to the tool.\n"
       "Examples:\n"
       "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
       "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
@@ -300,12 +317,15 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       "  bounding_arcs arcs --eps 0.01 drawing.svg --plain -o drawing_of_arcs.svg\n"
       "  bounding_arcs arcs --eps 0.01 --units mm --format dxf drawing.svg -o drawing.dxf\n"
       "  bounding_arcs arcs --eps 0.01 --format dxf --dxf-entities arcs drawing.svg -o drawing.dxf\n"
+      "  bounding_arcs arcs --eps 0.01 --feed 600 --depth 1 drawing.dxf -o drawing.nc\n"
       "  bounding_arcs arcs --eps 0.01 --stream --jobs 8 records.jsonl -o results.jsonl\n");
   return arcs;
 }
 
 int run_arcs(const Arcs_options& options) {
   check_inputs(options.files);
+  const bool is_gcode = options.format == "gcode";
+  if (is_gcode) check_gcode_words(options.gcode);
   const double eps = std::strtod(options.eps.c_str(), nullptr);
   if (options.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
@@ -330,6 +350,9 @@ int run_arcs(const Arcs_options& options) {
     for (Curve_record& record : read.curves) curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
   }
   if (options.format == "dxf") tell_units_of_dxf(reading.unit);
+  const File_unit unit =
+      reading.unit.file.empty() ? File_unit{name_of_file(options.files.front()), reading.unit.in_mm} : reading.unit;
+  const Gcode_setup setup = is_gcode ? gcode_setup(options.gcode, unit, is_y_down(curves)) : Gcode_setup{};
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
   else if (options.is_plain) write_plain_svg(output.stream(), written(curves, reading.unit, page));
@@ -337,6 +360,7 @@ int run_arcs(const Arcs_options& options) {
   else if (options.format == "dxf")
     write_dxf(output.stream(), written(curves, reading.unit, page), dxf_entities(options.dxf));
   else if (options.format == "csv") write_csv(output.stream(), curves);
+  else if (is_gcode) write_gcode(output.stream(), unit.file, tool_passes(curves, setup.depth), setup);
   else write_table(output.stream(), curves, eps);
   output.commit();
   return 0;

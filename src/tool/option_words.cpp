@@ -79,8 +79,9 @@ namespace {
 struct Form_ending {
   const char *form, *ending;
 };
-constexpr Form_ending ENDINGS[] = {{"json", ".json"}, {"svg", ".svg"},     {"csv", ".csv"},  {"dxf", ".dxf"},
-                                   {"table", ".txt"}, {"markdown", ".md"}, {"html", ".html"}};
+constexpr Form_ending ENDINGS[] = {{"json", ".json"}, {"svg", ".svg"},     {"csv", ".csv"},   {"dxf", ".dxf"},
+                                   {"table", ".txt"}, {"markdown", ".md"}, {"html", ".html"}, {"gcode", ".gcode"},
+                                   {"gcode", ".nc"},  {"gcode", ".ngc"}};
 
 std::string endings_of(const std::vector<std::string>& forms) {
   std::vector<std::string> endings;

@@ -150,24 +150,55 @@ struct Entity_target {
   DL_WriterA& writer;
   DL_Attributes attributes;
   double sign;
+  double height;  // z
 };
 
 void write_polyline(const Entity_target& target, const Arc_2* first, const Arc_2* last) {
   constexpr int CLOSED = 1;
-  const auto& [dxf, writer, attributes, sign] = target;
+  const auto& [dxf, writer, attributes, sign, height] = target;
   const bool is_closed = last[-1].to == first->from;
   const auto vertex = [to = &target](const Xy<double>& p, double bulge) {
     to->dxf.writeVertex(to->writer, DL_VertexData(p.x, to->sign * p.y, 0, to->sign * bulge));
   };
   const int count = static_cast<int>(last - first) + (is_closed ? 0 : 1);
   dxf.writePolyline(writer, DL_PolylineData(count, 0, 0, is_closed ? CLOSED : 0), attributes);
+  if (height != 0) writer.dxfReal(38, height);  // which dxflib leaves out
   for (const Arc_2* piece = first; piece != last; ++piece) vertex(piece->from, piece->bulge);
   if (!is_closed) vertex(last[-1].to, 0);
   dxf.writePolylineEnd(writer);
 }
 
+// dxflib has polylines of two dimensions only.
+void write_polyline_3d(const Entity_target& target, const Written_curve& curve) {
+  constexpr int IS_3D = 8, VERTEX_IS_3D = 32;
+  const DL_WriterA& writer = target.writer;
+  const auto begin = [&](const char* entity) {
+    writer.entity(entity);
+    writer.subClass("AcDbEntity");
+    writer.entityAttributes(target.attributes);
+  };
+  const auto place = [&](const Xy<double>& p, double z) {
+    writer.dxfReal(10, p.x);
+    writer.dxfReal(20, 0 + target.sign * p.y);  // no -0
+    writer.dxfReal(30, z);
+  };
+  begin("POLYLINE");
+  writer.subClass("AcDb3dPolyline");
+  writer.dxfInt(66, 1);
+  place({0, 0}, 0);
+  writer.dxfInt(70, IS_3D);
+  for (std::size_t i = 0; i < curve.heights.size(); ++i) {
+    begin("VERTEX");
+    writer.subClass("AcDbVertex");
+    writer.subClass("AcDb3dPolylineVertex");
+    place(i < curve.pieces.size() ? start_of(curve.pieces[i]) : end_of(curve.pieces.back()), curve.heights[i]);
+    writer.dxfInt(70, VERTEX_IS_3D);
+  }
+  begin("SEQEND");
+}
+
 // The piece as an ARC, if it has the piece's ends. Its circle is that of circle_of, which asks for more.
-std::optional<DL_ArcData> arc_of(const Arc_2& piece, double sign) {
+std::optional<DL_ArcData> arc_of(const Arc_2& piece, double sign, double height) {
   constexpr double DEGREES = 57.29577951308232, ALLOWED = 0x1p-30;
   const double b = sign * piece.bulge;
   const Xy<double> start{piece.from.x, sign * piece.from.y}, end{piece.to.x, sign * piece.to.y};
@@ -184,7 +215,7 @@ std::optional<DL_ArcData> arc_of(const Arc_2& piece, double sign) {
   const double from = angle(start), to = angle(end);
   if (!is_exact) return std::nullopt;
   const bool is_ccw = b > 0;  // as all arcs of DXF are
-  return DL_ArcData(center.x, center.y, 0, radius, is_ccw ? from : to, is_ccw ? to : from);
+  return DL_ArcData(center.x, center.y, height, radius, is_ccw ? from : to, is_ccw ? to : from);
 }
 
 // Two halves of a circle, which is what offsets have for one.
@@ -195,16 +226,17 @@ bool is_circle(const Arc_2* first, const Arc_2* last) {
 void write_circle(const Entity_target& target, const Arc_2& half) {
   const double radius = std::hypot(half.to.x / 2 - half.from.x / 2, half.to.y / 2 - half.from.y / 2);
   const Xy<double> center{half.from.x / 2 + half.to.x / 2, half.from.y / 2 + half.to.y / 2};
-  target.dxf.writeCircle(target.writer, DL_CircleData(center.x, target.sign * center.y, 0, radius), target.attributes);
+  target.dxf.writeCircle(target.writer, DL_CircleData(center.x, target.sign * center.y, target.height, radius),
+                         target.attributes);
 }
 
 void write_piece(const Entity_target& target, const Arc_2& piece) {
-  const double sign = target.sign;
+  const double sign = target.sign, z = target.height;
   if (piece.bulge == 0) {
     target.dxf.writeLine(target.writer,
-                         DL_LineData(piece.from.x, sign * piece.from.y, 0, piece.to.x, sign * piece.to.y, 0),
+                         DL_LineData(piece.from.x, sign * piece.from.y, z, piece.to.x, sign * piece.to.y, z),
                          target.attributes);
-  } else if (const std::optional<DL_ArcData> arc = arc_of(piece, sign)) {
+  } else if (const std::optional<DL_ArcData> arc = arc_of(piece, sign, z)) {
     target.dxf.writeArc(target.writer, *arc, target.attributes);
   } else {
     write_polyline(target, &piece, &piece + 1);
@@ -253,7 +285,7 @@ void write_spline(const Entity_target& target, const Beziers& beziers) {
       const Xy<double>& p = beziers[k].control_points()[i];
       writer.dxfReal(10, p.x);
       writer.dxfReal(20, target.sign * p.y);
-      writer.dxfReal(30, 0);
+      writer.dxfReal(30, target.height);
     }
 }
 
@@ -290,7 +322,11 @@ void write_dxf(std::ostream& out, const Written_drawing& drawing, Dxf_entities e
   write_tables(dxf, writer, layers);
   writer.sectionEntities();
   for (const Written_curve& curve : drawing.curves) {
-    const Entity_target target{dxf, writer, attributes_of(curve, layers), drawing.y_is_down ? -1.0 : 1.0};
+    const Entity_target target{dxf, writer, attributes_of(curve, layers), drawing.y_is_down ? -1.0 : 1.0, curve.height};
+    if (!curve.heights.empty()) {
+      write_polyline_3d(target, curve);
+      continue;
+    }
     for_each_run(curve.pieces, [&](const Written_piece* first, const Written_piece* last) {
       while (first != last) first = write_entity(target, first, last, entities);
     });

@@ -18,6 +18,7 @@ namespace bounding_arcs_tool {
 enum class Dxf_entities { POLYLINES, ARCS };
 
 /// DXF 2000; numbers read back as the same doubles. Bezier curves of one degree that follow each other become a SPLINE.
+/// A curve with a height for each vertex becomes one 3D POLYLINE.
 /// A curve without a layer is on one of its name. Layers have the colour of their first curve, and curves with another
 /// one their own; what has none is black or white, whichever is seen. A layer's name is any text: what DXF allows in no
 /// name becomes _. y of a drawing with y downwards changes its sign.

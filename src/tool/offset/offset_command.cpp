@@ -13,6 +13,7 @@
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../toolpath/order_passes.h"
 #include "../usage.h"
 #include "../written/write_plain_svg.h"
 
@@ -183,6 +184,17 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
   out << "</svg>\n";
 }
 
+// A pass a chain.
+std::vector<Tool_pass> tool_passes(const std::vector<ba::Offset>& offsets, double depth) {
+  std::vector<Tool_pass> passes;
+  for (const ba::Offset& offset : offsets)
+    for (const ba::Offset_chain& chain : offset.chains) {
+      passes.push_back({"offset " + number(offset.distance), {}, -depth});
+      for (const ba::Offset_piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
+    }
+  return inside_out(passes);
+}
+
 ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std::string& file) {
   try {
     return source.at(d);
@@ -315,9 +327,10 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       ->capture_default_str();
   add_rule(*offset, words.reading.rule);
   add_reading_options(*offset, words.reading);
-  add_output(*offset, {"json", "csv", "svg", "dxf"}, words.format, words.output);
+  add_output(*offset, {"json", "csv", "svg", "dxf", "gcode"}, words.format, words.output);
   add_plain(*offset, words.is_plain);
   add_dxf_entities(*offset, words.dxf);
+  add_gcode_options(*offset, words.gcode, true);
   add_stream_options(*offset, words.stream, words.format);
   offset->footer(
       "The result is chains of arcs and segments. Closed ones run counterclockwise around what they enclose and\n"
@@ -326,11 +339,14 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       "but\n"
       "arcs are at most half circles; a circle is two, and a CIRCLE in DXF. All points of round pieces are within eps\n"
       "of the distance from the curves, which is certified. What vanishes leaves no chain.\n"
+      "G-code has a pass a chain, islands first, inside out: each chain comes before what is around it. Of those that\n"
+      "may come next it is the one that starts nearest to the tool. Lines stand for arcs that rounding would break.\n"
       "Examples:\n"
       "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
       "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"
       "  bounding_arcs offset part.dxf --units mm --distance -1 --eps 0.01 -o inset.dxf\n"
       "  bounding_arcs offset drawing.svg --distance -1 --eps 0.01 --plain -o inset.svg\n"
+      "  bounding_arcs offset part.dxf --distance -1.5,-2.5,-3.5 --eps 0.01 --feed 600 --depth 2 -o pocket.nc\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --cap square --join miter -o outline.json\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n"
       "  bounding_arcs offset --distance 2 --eps 1e-3 --stream - < records.jsonl > results.jsonl\n");
@@ -356,6 +372,8 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
 int run_offset(const Offset_words& words) {
   check_eps(words);
   check_plain(words.is_plain, words.format);
+  const bool is_gcode = words.format == "gcode";
+  if (is_gcode) check_gcode_words(words.gcode);
   const double eps = eps_of(words);
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
@@ -369,6 +387,8 @@ int run_offset(const Offset_words& words) {
   const ba::Drawing_2<double>& drawing = input.drawing;
   tell_loose_ends(input.file, drawing);
   if (words.format == "dxf") tell_units_of_dxf({input.file, input.unit_in_mm});
+  const Gcode_setup setup =
+      is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
   std::vector<ba::Offset> offsets;
   {
     Progress_line progress("offsets");
@@ -379,6 +399,7 @@ int run_offset(const Offset_words& words) {
   else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));
   else if (words.is_plain) write_plain_svg(output.stream(), written(offsets, input));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);
+  else if (is_gcode) write_gcode(output.stream(), input.file, tool_passes(offsets, setup.depth), setup);
   else draw(output.stream(), offsets, drawing, eps, input.flips);
   output.commit();
   return 0;

@@ -32,11 +32,13 @@ using Written_piece = std::variant<CGAL::Bounding_arcs::Arc_2, CGAL::Bounding_ar
 /// A Bezier curve as it is best written: a segment or an arc where it is one but for rounding.
 [[nodiscard]] Written_piece written_piece(const CGAL::Bounding_arcs::Bezier_curve_2<double>& curve);
 
-/// Pieces with a name. Where one does not start at the end of the one before, another line begins.
+/// Pieces with a name. Where one does not start at the end of the one before, another line begins. Heights are for DXF.
 struct Written_curve {
   std::string name;
   Curve_look look;
   std::vector<Written_piece> pieces;
+  double height = 0;                 ///< z of all pieces, where `heights` has none
+  std::vector<double> heights = {};  ///< z of each vertex of segments that follow each other: one more than pieces
 };
 /// The pieces of a curve as they are best written; arcs of one circle that follow each other are one, up to half of it.
 [[nodiscard]] Written_curve written_curve(const std::string& name, const Curve_look& look,
