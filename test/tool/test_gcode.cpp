@@ -158,6 +158,13 @@ TEST(PassOrder, KeepsTheWayRoundAndTurnsOpenOnes) {
   EXPECT_EQ(found[1].pieces.front().bulge, 1);
 }
 
+TEST(PassOrder, TakesTheNearestNext) {
+  // what is nearer by x alone is farther
+  const auto found = titles_of(tool::inside_out(
+      {circle(2, 30, 1, "high"), circle(9, 0, 1, "right"), circle(-6, 0, 1, "left"), circle(3, -40, 1, "low")}));
+  EXPECT_EQ(found, (std::vector<std::string>{"left", "right", "high", "low"}));
+}
+
 TEST(PassOrder, SeesArcsNotChords) {
   // a point between a half circle and its chord, and one between the chord of a dent and the dent
   const tool::Tool_pass lens{"lens", {{{0, 0}, {4, 0}, 1}, {{4, 0}, {0, 0}, -0.5}}, -1};

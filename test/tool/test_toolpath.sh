@@ -22,7 +22,6 @@ rounded() {
 svg '' '<path id="slot" d="M0 0H10A2 2 0 0 1 10 4H0A2 2 0 0 1 0 0Z"/>' > slot.svg
 svg '' '<path id="bar" d="M0 0H8V2H0Z"/>' > bar.svg
 svg '' '<path id="ring" fill-rule="evenodd" d="M0 0H20V20H0ZM8 8H12V12H8Z"/>' > ring.svg
-# inches FILE, with the name of its unit for SVG
 svg ' width="2in" height="2in" viewBox="0 0 2 2"' '<path id="bar" d="M0 0H1V1H0Z"/>' > inch.svg
 svg ' width="20cm" height="20cm" viewBox="0 0 20 20"' '<path id="bar" d="M0 0H1V1H0Z"/>' > cm.svg
 
@@ -34,6 +33,7 @@ echo '(offset -1) G0 X7 Y-7 (offset -2) G0 X6 Y-6 (offset -2) G0 X2 Y-2 (offset 
 rm order
 
 run offset slot.svg --distance=-1 --eps 0.01 --format gcode --feed 600 --depth 1.5
+expect_line '*slot.svg: no unit is told: coordinates are taken as mm'
 expect_output << 'END'
 (units: mm)
 (passes: 1, cut 26.28, air 1 beside lifts)
@@ -140,7 +140,7 @@ END
 # in DXF they are 3D polylines, which read back as such, and outlines at their depth
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 -o bar.dxf
 expect_status 0
-expect_line '*bar.svg: 1 outline of flat bottoms at the depth 0.5: what they enclose is left to be cleared'
+expect_line '*bar.svg: 1 outline of flat bottoms at the depth 0.5, the inset at 0.5: what they enclose is left to *'
 [ "$(grep -c '^POLYLINE' bar.dxf)" -eq 4 ] || fail "$command_line: not four 3D polylines"
 [ "$(grep -c '^SEQEND' bar.dxf)" -eq 4 ] || fail "$command_line: polylines without an end"
 [ "$(grep -c '^LWPOLYLINE' bar.dxf)" -eq 1 ] || fail "$command_line: not one pocket"
@@ -177,7 +177,7 @@ expect_status 1
 expect_line 'bounding_arcs: none.nc: *'
 run arcs slot.svg --eps 0.01 --format gcode --feed 1 --digits 0
 expect_status 2
-svg '' '<path id="far" d="M1e9 0h1v1"/>' > far.svg
+svg ' width="1mm" height="1mm" viewBox="0 0 1 1"' '<path id="far" d="M1e9 0h1v1"/>' > far.svg
 run arcs far.svg --eps 0.01 --format gcode --feed 1 --digits 9
 expect_status 1
 expect_line 'bounding_arcs: far.svg: gcode: expected coordinates with at most 15 digits, found more; --digits *'

@@ -368,7 +368,8 @@ int run_carving(const Medial_axis_words& words) {
   output.commit();
   if (!carving.pockets.empty())
     tell(loaded.file, count_text(carving.pockets.size(), "outline") + " of flat bottoms at the depth " +
-                          number(words.max_depth) + ": what they enclose is left to be cleared");
+                          number(words.max_depth) + ", the inset at " + short_number(bit.largest()) +
+                          ": what they enclose is left to be cleared");
   return tell_of_axis(loaded, axis, "medial-axis");
 }
 

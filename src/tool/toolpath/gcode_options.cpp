@@ -27,31 +27,33 @@ bool is_unit(double in_mm, double other) {
 }  // namespace
 
 void add_gcode_options(CLI::App& command, Gcode_words& words, bool with_depth) {
-  const std::string group = "For --format gcode, in mm, or in inches where the drawing is";
-  command.add_option("--feed", words.feed, "How far the tool goes in a minute; needed")
-      ->check(number_in(1e-3, 1e9))
-      ->group(group);
+  command
+      .add_option(
+          "--feed", words.feed,
+          "For gcode, which needs it: how far the tool goes in a minute. This and what follows is in mm, or in\n"
+          "inches where the drawing is")
+      ->check(number_in(1e-3, 1e9));
   if (with_depth)
-    command.add_option("--depth", words.depth, "How far below 0 it cuts, all in one pass; 0 where it is not given")
-        ->check(number_in(0, 1e6))
-        ->group(group);
+    command
+        .add_option("--depth", words.depth,
+                    "For gcode: how far below 0 the tool cuts, all in one pass; 0 where it is not given")
+        ->check(number_in(0, 1e6));
   command
       .add_option("--safe-height", words.safe_height,
-                  "How high above 0 it goes through the air; 5 mm or 0.2 inches where it is not given")
-      ->check(number_in(1e-6, 1e6))
-      ->group(group);
+                  "For gcode: how high above 0 the tool goes through the air; without it 5 mm, or 0.2 inches")
+      ->check(number_in(1e-6, 1e6));
   command
-      .add_option("--digits", words.digits,
-                  "Behind the point of coordinates; 4 in mm and 5 in inches where it is not given. The path is within\n"
-                  "eps and 3 units of the last digit")
-      ->check(whole_number_in(1, 9))
-      ->group(group);
+      .add_option(
+          "--digits", words.digits,
+          "For gcode: digits of coordinates behind the point; without it 4 in mm, and 5 in inches. The path is\n"
+          "within eps and 3 units of the last digit")
+      ->check(whole_number_in(1, 9));
   command
-      .add_option("--shortest-arc", words.shortest_arc, "What is shorter becomes lines; 0.01 mm where it is not given")
-      ->check(number_in(0, 1e6))
-      ->group(group);
-  command.add_option("--header", words.header, "A file to put in front as it is, to start the spindle and the like")
-      ->group(group);
+      .add_option("--shortest-arc", words.shortest_arc,
+                  "For gcode: an arc that is shorter becomes lines; without it 0.01 mm, or as much in inches")
+      ->check(number_in(1e-9, 1e6));
+  command.add_option("--header", words.header,
+                     "For gcode: a file to put in front as it is, to start the spindle and the like");
 }
 
 void check_gcode_words(const Gcode_words& words) {
@@ -62,6 +64,8 @@ Gcode_setup gcode_setup(const Gcode_words& words, const File_unit& unit, bool fl
   constexpr double SAFE_MM = 5, SAFE_INCHES = 0.2, SHORTEST_MM = 0.01;
   constexpr int DIGITS_MM = 4, DIGITS_INCHES = 5;
   Gcode_setup setup;
+  if (!words.header.empty()) setup.header = file_contents(words.header);
+  if (!(unit.in_mm > 0)) tell(unit.file, "no unit is told: coordinates are taken as mm");
   setup.is_in_inches = is_unit(unit.in_mm, INCH_IN_MM);
   if (!setup.is_in_inches && unit.in_mm > 0 && !is_unit(unit.in_mm, 1)) {
     setup.scale = unit.in_mm;
@@ -75,7 +79,6 @@ Gcode_setup gcode_setup(const Gcode_words& words, const File_unit& unit, bool fl
   const auto given_or = [&](double word, double otherwise) { return (word > 0 ? word : otherwise) / setup.scale; };
   setup.safe_height = given_or(words.safe_height, setup.is_in_inches ? SAFE_INCHES : SAFE_MM);
   setup.shortest_arc = given_or(words.shortest_arc, SHORTEST_MM * mm);
-  if (!words.header.empty()) setup.header = file_contents(words.header);
   return setup;
 }
 

@@ -34,7 +34,8 @@ void add_gcode_options(CLI::App& command, Gcode_words& words, bool with_depth);
 /// Refuses words that lack what G-code needs. To be called before what takes long. \throws Usage_error
 void check_gcode_words(const Gcode_words& words);
 
-/// How a drawing becomes G-code: inches stay inches, all else becomes mm, which is told where lengths change.
+/// How a drawing becomes G-code: inches stay inches, all else becomes mm. It is told where lengths change, and where
+/// there is no unit.
 /// \throws Input_error for a header that cannot be read
 [[nodiscard]] Gcode_setup gcode_setup(const Gcode_words& words, const File_unit& unit, bool flips);
 

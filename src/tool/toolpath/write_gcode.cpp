@@ -209,7 +209,6 @@ class Gcode_checker {
     if (source.from == 0) expect_near(apart(whole.from), "the start of each piece");
     const double h0 = pass.height_at(source.piece), h1 = pass.height_at(source.piece + 1);
     expect_height(move.to.z, pass.heights.empty() ? h1 : h0 + source.to * (h1 - h0));
-    if (move.motion == 0) differ("cuts at the feed", "one through the air");
     expect_near(deviation(setup_, place_, move, part_of(whole, source)), "each move");
     if (source.to == 1) ++piece_;
   }
