@@ -51,7 +51,19 @@ struct Gcode_run {
   std::string refused;                          // the first line that a controller would refuse
 };
 
-/// Runs a program. \param unit in mm, of its coordinates
+/// The turn of an arc as GRBL has it, in single precision: a whole turn more or less where that is too coarse.
+inline double single_turn(const Gcode_step& step, double i, double j) {
+  constexpr float NO_TURN = 5e-7F, TURN = 6.2831853F;
+  const float r0 = -static_cast<float>(i), r1 = -static_cast<float>(j);
+  const float center0 = static_cast<float>(step.from.x) - r0, center1 = static_cast<float>(step.from.y) - r1;
+  const float rt0 = static_cast<float>(step.to.x) - center0, rt1 = static_cast<float>(step.to.y) - center1;
+  float turn = std::atan2(r0 * rt1 - r1 * rt0, r0 * rt0 + r1 * rt1);
+  if (step.motion == 2 && turn >= -NO_TURN) turn -= TURN;
+  if (step.motion == 3 && turn <= NO_TURN) turn += TURN;
+  return static_cast<double>(turn);
+}
+
+/// Runs a program.
 inline Gcode_run run_gcode(const std::string& text) {
   constexpr double TURN = 6.283185307179586;
   Gcode_run run;
@@ -115,6 +127,7 @@ inline Gcode_run run_gcode(const std::string& text) {
       constexpr double NO_TURN = 5e-7;
       if (motion == 3 && step.turn <= NO_TURN) step.turn += TURN;
       if (motion == 2 && step.turn >= -NO_TURN) step.turn -= TURN;
+      refuse(std::fabs(step.turn - single_turn(step, words['I'], words['J'])) > 1);
     }
     run.titles.back() = comment;
     run.passes.back().push_back(step);

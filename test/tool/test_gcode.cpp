@@ -37,7 +37,7 @@ ba::Bounding_arc_tree_2 tree_of(const std::string& file) {
   return ba::Bounding_arc_tree_2(ba::drawing<double>(ba::read_curves(file)));
 }
 std::string text_of(const std::string& arguments) {
-  const Run run = run_tool(arguments + " --format gcode");
+  const Run run = run_tool(arguments + " --format gcode 2> /dev/null");
   EXPECT_EQ(run.status, 0) << arguments;
   return run.output;
 }
@@ -226,6 +226,36 @@ TEST(GcodeMoves, BreaksArcsThatControllersWouldMiss) {
     EXPECT_EQ(run_gcode(text).refused, "") << text;
     EXPECT_NO_THROW(tool::check_gcode(tool::read_gcode(text, setup), program, passes, setup)) << text;
   }
+}
+
+// Arcs of all sizes and bulges, from ones shorter than a unit of the last digit to ones of half a km.
+TEST(GcodeMoves, AreTakenByControllersOfSinglePrecision) {
+  std::mt19937_64 random(24);
+  std::uniform_real_distribution<double> place(-500, 500), power(-5, 2.7), bulge_power(-6, 0), angle(0, 6.28);
+  std::size_t arcs = 0;
+  for (int i = 0; i < cases(20000); ++i) {
+    tool::Gcode_setup setup;
+    setup.feed = 100;
+    setup.shortest_arc = i % 2 == 0 ? 0.01 : 1e-6;
+    setup.digits = 2 + static_cast<int>(random() % 3);
+    const Xy<double> from{place(random), place(random)};
+    const double chord = std::pow(10, power(random)), turn = angle(random);
+    const double bulge = (random() % 2 == 0 ? 1 : -1) * std::pow(10, bulge_power(random));
+    const Xy<double> to{from.x + chord * std::cos(turn), from.y + chord * std::sin(turn)};
+    const std::vector<tool::Tool_pass> passes{{"arc", {{from, to, bulge}}, -1}};
+    const tool::Gcode_program program = tool::gcode_program(passes, setup);
+    const std::string text = tool::gcode_text(program, passes, setup);
+    const Gcode_run run = run_gcode(text);
+    arcs += program.arcs;
+    ASSERT_EQ(run.refused, "") << text;
+    const Arc_2& arc = passes[0].pieces[0];
+    for (const Gcode_step& step : run.passes.front())
+      for (const double share : {0.3, 1.0})
+        ASSERT_LE(std::fabs(ba::signed_distance(step.at(share), arc)), 3 * std::pow(10, -setup.digits)) << text;
+    const double length = length_of(run);
+    ASSERT_NEAR(length, ba::length(arc), 0.01 * length + 8 * std::pow(10, -setup.digits)) << text;
+  }
+  EXPECT_GT(arcs, 0u);
 }
 
 TEST(GcodeMoves, RefusesMoreDigitsThanDoublesHave) {

@@ -42,6 +42,15 @@ std::vector<Tool_pass> branches_of(const ba::Medial_axis_2& axis, const V_bit& b
   return group_by_group(passes, parts);
 }
 
+ba::Offset inset_at(const ba::Bounding_arc_tree_2& tree, double radius, double eps, const ba::Offset_options& options,
+                    const std::string& file) {
+  try {
+    return ba::offset(tree, -radius, eps, options);
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(file, "offset", error.what());
+  }
+}
+
 std::vector<Tool_pass> pockets_of(const ba::Bounding_arc_tree_2& tree, const ba::Medial_axis_2& axis, const V_bit& bit,
                                   const std::string& file) {
   const double radius = bit.largest();
@@ -54,8 +63,8 @@ std::vector<Tool_pass> pockets_of(const ba::Bounding_arc_tree_2& tree, const ba:
   if (!has_deeper) return {};
   ba::Offset_options options;
   options.rule = axis.options.rule;
-  const std::string place = "the flat bottom at --max-depth " + number(bit.most);
-  const ba::Offset inset = served(file, place, [&] { return ba::offset(tree, -radius, axis.eps, options); });
+  const std::string place = "--max-depth " + number(bit.most);
+  const ba::Offset inset = inset_at(tree, radius, axis.eps, options, file);
   if (inset.status == ba::Offset_status::RESOLUTION_REACHED)
     throw Input_error(file, place, below_resolution(axis.eps, inset.error));
   if (inset.status == ba::Offset_status::UNRESOLVED)
