@@ -118,6 +118,21 @@ TEST(AxisBranches, HaveEachLineOfTheAxisOnce) {
   }
 }
 
+// A way through a vertex takes two of its edges: half as many ways as vertices of an odd degree are needed, or one.
+TEST(AxisBranches, AreAsFewAsCanBe) {
+  std::mt19937 random(13);
+  for (int i = 0; i < cases(40); ++i) {
+    const auto outer = closed_curve(random, {0, 0}, 4 + random() % 8);
+    const Medial_axis_2 axis = axis_of(i % 2 == 0 ? drawing_of(outer) : both(outer, circle({0.05, 0.03}, 0.2)), 1e-3);
+    ASSERT_EQ(axis.status, Status::COMPLETE);
+    const auto degrees = ba::degrees(axis);
+    if (*std::max_element(degrees.begin(), degrees.end()) > 3) continue;
+    const auto odd = static_cast<std::size_t>(
+        std::count_if(degrees.begin(), degrees.end(), [](std::size_t degree) { return degree % 2 == 1; }));
+    EXPECT_EQ(ba::axis_branches(axis).size(), (std::max)(odd / 2, std::size_t(1))) << "shape " << i;
+  }
+}
+
 // A comb: its back, with the longest tooth, comes first; then the other teeth, each from the back.
 TEST(AxisBranches, ComeLongestFirst) {
   const Medial_axis_2 axis = axis_of(drawing_of(polygon({{0, 0},

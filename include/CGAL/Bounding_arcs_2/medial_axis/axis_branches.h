@@ -37,7 +37,8 @@ struct Axis_branch {
 /// branch before it. Edges that close a way round are branches of their own among these.
 /// \param largest radius of a disc; where the axis has a larger one, a branch ends, or begins, at that radius
 /// \guarantee each line between two samples is on one branch, less what has larger discs; ends there are on the line
-///   between two samples, so within axis.eps of the axis, radii included
+///   between two samples, so within axis.eps of the axis, radii included. Where at most three edges meet in a vertex no
+///   fewer ways can have each line once
 /// \throws std::invalid_argument for a radius that is not above 0
 /// \complexity n log n in the edges, linear in the samples
 [[nodiscard]] std::vector<Axis_branch> axis_branches(const Medial_axis_2& axis,
