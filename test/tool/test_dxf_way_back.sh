@@ -121,6 +121,11 @@ brackets=$(grep -o '"polyline":[^"]*' axis.json | tr -cd '[' | wc -c)  # one an 
 [ "$brackets" -eq "$(($(wc -l < out.csv) - 1 + edges))" ] || fail "$command_line: another number of samples"
 run medial-axis in.svg --eps 0.01 -o out.dxf
 ! grep -q '^SPLINE' out.dxf || fail "$command_line: has a spline"
+run medial-axis in.svg --eps 0.01 --v-bit 60 --max-depth 1 -o out.dxf
+expect_status 0
+expect_lines $'0 7 -\ncarve 1 -\npocket 5 -' layers out.dxf
+grep -q '^VERTEX' out.dxf && grep -q '^LWPOLYLINE' out.dxf || fail "$command_line: $(entities out.dxf)"
+audit out.dxf
 run thickness in.svg --eps 0.01 --below 2 -o out.dxf
 expect_status 1
 grep -q '^thin' out.dxf || fail "$command_line: nothing is thin"

@@ -77,6 +77,29 @@ expect_status 0
 expect_line '*cm.svg: 1 unit is 10 mm: coordinates are written in mm'
 grep -qx 'G1 X10 Y-10' "$results/out" || fail "$command_line: coordinates are not in mm"
 grep -qx 'G1 Z-0.1 F20' "$results/out" || fail "$command_line: depth and feed are not in mm"
+# Coordinates are in the unit that drawings are converted to: that of the first file, or of --units.
+has_lines() { for line in "$@"; do grep -qxF "$line" "$results/out" || fail "$command_line: no line $line"; done; }
+run arcs cm.svg inch.svg --eps 0.001 --feed 20 --format gcode
+expect_status 0
+[[ $err == *'inch.svg: converted from units of 25.4 mm to units of 10 mm, as in cm.svg'* ]] ||
+  fail "$command_line: $err"
+has_lines '(units: mm)' 'G1 X10 Y-10' 'G1 X25.4 Y-25.4'
+run arcs slot.svg inch.svg --eps 0.001 --feed 20 --format gcode
+expect_status 0
+[ -z "$err" ] || fail "$command_line: $err"
+has_lines '(units: inches)' 'G1 X1 Y-1'
+run arcs inch.svg --units mm --eps 0.001 --feed 20 --format gcode
+expect_status 0
+expect_line '*inch.svg: converted from units of 25.4 mm to mm'
+has_lines '(units: mm)' 'G1 X25.4 Y-25.4'
+run offset cm.svg --units in --distance 1 --join miter --eps 0.001 --feed 20 --format gcode
+expect_status 0
+expect_line '*cm.svg: converted from units of 10 mm to in'
+has_lines '(units: inches)' 'G1 X-1 Y1'
+run medial-axis bar.svg --units in --eps 0.01 --v-bit 90 --feed 20 --format gcode
+expect_status 0
+expect_line '*bar.svg: no unit told: 1 unit is taken for 1 in'
+has_lines '(units: inches)' 'G1 X7 Y-1'
 rm header inch.nc
 
 # A bar 2 wide: a bit of 90 degrees goes 1 deep along the middle, and 0 at the corners.
@@ -148,12 +171,28 @@ tr -d '\r' < bar.dxf | paste -d' ' - - > groups
 [ "$(grep -cE '^ *30 -0\.5$' groups)" -eq 4 ] || fail "$command_line: not a vertex at the depth of each branch"
 [ "$(grep -cE '^ *38 -0\.5$' groups)" -eq 1 ] || fail "$command_line: the pocket is not at its depth"
 rm groups
+run medial-axis bar.svg --units cm --eps 0.01 --v-bit 90 --max-depth 0.5 -o cm.dxf
+tr -d '\r' < cm.dxf | paste -d' ' - - | grep -A1 INSUNITS | grep -qE '^ *70 5$' || fail "$command_line: not in cm"
+rm cm.dxf
+# and a pocket that is a circle is one at its depth
+svg '' '<circle id="disc" r="5"/>' > disc.svg
+run medial-axis disc.svg --eps 0.01 --v-bit 90 --max-depth 1 -o disc.dxf
+tr -d '\r' < disc.dxf | paste -d' ' - - | sed -n '/^ *0 CIRCLE/,/^ *40/p' | grep -qE '^ *30 -1$' ||
+  fail "$command_line: no circle at its depth"
+rm disc.dxf
 run info bar.dxf --format json
 expect_status 0
 [ "$(grep -o '"name": *"carve' "$results/out" | wc -l)" -eq 4 ] || fail "$command_line: the branches are not read back"
 rm bar.dxf
 
+# Without a bit the axis is what it is.
+run medial-axis bar.svg --eps 0.01 --format csv
+[ "$(head -n 1 "$results/out")" = edge,x,y,radius,left,right ] || fail "$command_line: $(head -n 1 "$results/out")"
+
 # Wrong usage, which names what is missing.
+run arcs slot.svg --eps 0.01 --format gcode --feed 1 --plain
+expect_status 2
+expect_line 'bounding_arcs: --format: expected svg with --plain, which no other form has, found gcode'
 run offset slot.svg --distance=-1 --eps 0.01 --format gcode
 expect_status 2
 expect_line 'bounding_arcs: --feed: expected a number above 0 with --format gcode, found none'

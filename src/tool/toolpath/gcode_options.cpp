@@ -5,24 +5,18 @@
 #include "gcode_options.h"
 
 #include "../../input/Input_text.h"
-#include "../number_text.h"
 #include "../option_words.h"
 #include "../usage.h"
 #include "write_gcode.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
 namespace {
 
 constexpr double INCH_IN_MM = 25.4;
-bool is_unit(double in_mm, double other) {
-  constexpr double SAME = 1e-6;  // files write units with seven digits or so
-  return std::fabs(in_mm - other) <= SAME * other;
-}
 
 }  // namespace
 
@@ -66,10 +60,10 @@ Gcode_setup gcode_setup(const Gcode_words& words, const File_unit& unit, bool fl
   Gcode_setup setup;
   if (!words.header.empty()) setup.header = file_contents(words.header);
   if (!(unit.in_mm > 0)) tell(unit.file, "no unit is told: coordinates are taken as mm");
-  setup.is_in_inches = is_unit(unit.in_mm, INCH_IN_MM);
-  if (!setup.is_in_inches && unit.in_mm > 0 && !is_unit(unit.in_mm, 1)) {
+  setup.is_in_inches = is_same_unit(unit.in_mm, INCH_IN_MM);
+  if (!setup.is_in_inches && unit.in_mm > 0 && !is_same_unit(unit.in_mm, 1)) {
     setup.scale = unit.in_mm;
-    tell(unit.file, "1 unit is " + short_number(unit.in_mm) + " mm: coordinates are written in mm");
+    tell(unit.file, "1 unit is " + unit_text(unit.in_mm) + ": coordinates are written in mm");
   }
   setup.flips = flips;
   setup.digits = words.digits > 0 ? static_cast<int>(words.digits) : (setup.is_in_inches ? DIGITS_INCHES : DIGITS_MM);
