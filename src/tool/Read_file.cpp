@@ -5,6 +5,7 @@
 #include "Read_file.h"
 
 #include "../input/Input_text.h"
+#include "Elapsed_line.h"
 #include "loose_ends.h"
 #include "number_text.h"
 #include "option_words.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -92,6 +94,8 @@ std::string convert(ba::Curve_file& file, const File_unit& wanted, const std::st
 
 Read_file read_file(const std::string& path, const Reading_words& words) {
   const std::string name = name_of_file(path);
+  std::optional<Elapsed_line> elapsed;
+  if (path != "-") elapsed.emplace("reading " + one_line(name, std::string::npos));  // who types needs no clock
   Read_file read;
   read.file = read_curve_file(path, reading_options(words));
   read.converted = convert(read.file, words.unit, name);

@@ -200,7 +200,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   Dot_width dots;
   for (const Fitted_curve& c : curves)
     for (const ba::Chain_arc_2& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
-  const std::string eps_text = number(eps);
+  const std::string eps_text = short_number(eps);
   char text[900];
   std::snprintf(
       text, sizeof text,
@@ -347,7 +347,11 @@ int run_arcs(const Arcs_options& options) {
       tell_of_rule(name_of_file(file), read.rule,
                    static_cast<std::size_t>(std::count_if(read.curves.begin(), read.curves.end(),
                                                           [](const Curve_record& r) { return r.closed; })));
-    for (Curve_record& record : read.curves) curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
+    Progress_line progress("fitting arcs, curves");
+    for (std::size_t i = 0; i < read.curves.size(); ++i) {
+      progress(i, read.curves.size());
+      curves.push_back(fit(name_of_file(file), std::move(read.curves[i]), eps, options));
+    }
   }
   if (options.format == "dxf") tell_units_of_dxf(reading.unit);
   const File_unit unit =

@@ -14,8 +14,6 @@ namespace {
 using namespace bounding_arcs_test;
 using CGAL::Bounding_arcs::Curve_colour;
 
-std::ostream& operator<<(std::ostream& out, const Curve_colour& c) { return out << c.number << ", " << c.rgb; }
-
 Curve_file read_file(const std::string& text) { return read_curve_file_from_text(text, "in", "in"); }
 
 // Groups are written with | between codes and values.

@@ -93,7 +93,7 @@ for points in '[[0.0,0.0],[1.0,-2.0],[3.0,-2.0],[4.0,0.0]]' '[[4.0,0.0],[5.0,2.0
 done
 [ "$(grep -c '"weights"' again.json)" -eq 4 ] || fail "$command_line: another ellipse in $(cat again.json)"
 lengths() { run info "$1" --format csv && cut -d, -f6 "$results/out" | tail -n +2 | xargs printf '%.6f '; }
-[ "$(lengths out.dxf)" = "$(lengths in.svg)" ] || fail "$command_line: lengths $(lengths out.dxf), not $(lengths in.svg)"
+[ "$(lengths out.dxf)" = "$(lengths in.svg)" ] || fail "$command_line: another length, $(lengths out.dxf)"
 audit out.dxf
 run boolean union in.svg --format dxf --eps 1e-3 -o out.dxf
 expect_status 0

@@ -7,6 +7,7 @@
 #include "arrange_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../boolean/path_pieces.h"
 #include "../option_words.h"
@@ -63,6 +64,7 @@ Arranged arranged(const Arrange_words& words) {
   }
   ba::Overlay_options options;
   options.at_joints = true;
+  const Elapsed_line elapsed("arranging");
   made.cells = ba::overlay(trees, options);
   made.degrees.resize(made.cells.vertices.size(), 0);
   for (const ba::Overlay_edge& e : made.cells.edges)

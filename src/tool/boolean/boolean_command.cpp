@@ -11,6 +11,7 @@
 
 #include "../../input/Input_text.h"
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
 #include "../option_words.h"
@@ -27,6 +28,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -73,6 +75,8 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
     drawings.push_back(&d->curves->drawing());
     rules.push_back(d->rule);
   }
+  std::optional<Elapsed_line> elapsed;
+  if (!words.stream.is_on) elapsed.emplace(words.operation);
   const ba::Outline_2 outline =
       ba::boolean_operation(trees, OPERATIONS.at(words.operation), ba::Fill_rules(std::move(rules)));
   if (outline.status == ba::Outline_status::UNDECIDED)

@@ -9,6 +9,7 @@
 #include "path_pieces.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
@@ -71,6 +72,7 @@ Clipped clipped(const Clip_words& words) {
   made.curves = load_drawing(words.file, words.kernel, reading);
   reading.keep_unit(made.curves.unit());
   made.region = load_closed_drawing(words.region, words.kernel, reading);
+  const Elapsed_line elapsed("clipping");
   const ba::Clipped_2 found = ba::clip(*made.curves.curves, *made.region.curves, made.region.rule);
   if (found.status == ba::Outline_status::UNDECIDED)
     throw Input_error(

@@ -361,7 +361,7 @@ int run_carving(const Medial_axis_words& words) {
   const Medial_axis_words finer = with_eps_of_radii(words, bit);
   const Query_drawing loaded = load_axis_drawing(finer);
   if (words.format == "dxf") tell_units_of_dxf(loaded.unit());
-  const Found_axis axis = axis_of(loaded, finer);
+  const Found_axis axis = shown_axis_of(loaded, finer);
   const V_carving carving = v_carving(*loaded.curves, axis.axis, bit, loaded.file);
   Output_file output(words.output);
   write_carving(words, output.stream(), carving, loaded);
@@ -389,7 +389,7 @@ int run_medial_axis(const Medial_axis_words& words) {
     return run_stream(words.stream, words.file, words.output, answer);
   }
   const Query_drawing loaded = load_axis_drawing(words);
-  const Found_axis axis = axis_of(loaded, words);
+  const Found_axis axis = shown_axis_of(loaded, words);
   if (words.format == "dxf") tell_units_of_dxf(loaded.unit());
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), axis, loaded, words);

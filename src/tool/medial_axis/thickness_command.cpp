@@ -96,7 +96,7 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
 
 int run_thickness(const Thickness_words& words) {
   const Query_drawing loaded = load_axis_drawing(words.axis);
-  const Found_axis axis = axis_of(loaded, words.axis);
+  const Found_axis axis = shown_axis_of(loaded, words.axis);
   const Found_thickness found = thickness_of(axis, loaded, words);
   if (words.axis.format == "dxf") tell_units_of_dxf(loaded.unit());
   Output_file output(words.axis.output);

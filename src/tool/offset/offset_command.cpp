@@ -7,6 +7,7 @@
 #include "offset_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
 #include "../loose_ends.h"
@@ -149,7 +150,7 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
     return std::any_of(offsets.begin(), offsets.end(),
                        [&](const ba::Offset& o) { return (o.distance < 0) == shrunk && !o.chains.empty(); });
   };
-  const std::string eps_text = number(eps);
+  const std::string eps_text = short_number(eps);
   char text[700];
   std::snprintf(
       text, sizeof text,
@@ -172,8 +173,8 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
     out << "\"/></g>\n";
   }
   for (const ba::Offset& offset : offsets) {
-    out << "<g><title>" << number(offset.distance) << "</title>\n<path class=\"" << (offset.distance < 0 ? 'i' : 'o')
-        << "\" d=\"";
+    out << "<g><title>" << short_number(offset.distance) << "</title>\n<path class=\""
+        << (offset.distance < 0 ? 'i' : 'o') << "\" d=\"";
     for (const ba::Offset_chain& chain : offset.chains) {
       out << "M" << sheet.view(chain.pieces.front().arc.from);
       for (const ba::Offset_piece& p : chain.pieces) out << step(sheet.view, p.arc, true);
@@ -272,20 +273,26 @@ ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<d
   }
 }
 
-// \param line nothing for records of a stream, which show no progress
+// \param is_stream a record of one shows no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string& file,
-                                   const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, Progress_line* line) {
+                                   const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, bool is_stream) {
   const double eps = eps_of(words);
   ba::Offset_options options = options_of(words);
   options.rule = rule;
+  std::optional<Elapsed_line> elapsed;
+  const auto show = [&](const std::string& what) {
+    if (!is_stream) elapsed.emplace(what);
+  };
+  show("preparing offsets");
   const ba::Offset_source_2 source = served_source(file, drawing, eps, options);
+  elapsed.reset();
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   const bool is_inwards = std::any_of(distances.begin(), distances.end(), [](double d) { return d < 0; });
-  if (is_inwards && options.side == ba::Offset_side::BOTH && line != nullptr)
+  if (is_inwards && options.side == ba::Offset_side::BOTH && !is_stream)
     tell_left_out(file, "offset", source.left_out().size(), rule);
   for (const double d : distances) {
-    if (line != nullptr) (*line)(offsets.size(), distances.size());
+    show("offset " + std::to_string(offsets.size() + 1) + " of " + std::to_string(distances.size()));
     offsets.push_back(offset_at(source, d, eps, file));
   }
   return offsets;
@@ -356,9 +363,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
   tell_loose_ends(loaded.file, loaded.curves->drawing());
-  Progress_line progress("offsets");
-  const std::vector<ba::Offset> offsets =
-      offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, &progress);
+  const std::vector<ba::Offset> offsets = offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, false);
   for (const ba::Offset& offset : offsets) {
     outlines.push_back({offset.distance, {}});
     for (const ba::Offset_chain& chain : offset.chains) {
@@ -379,7 +384,7 @@ int run_offset(const Offset_words& words) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       const ba::Drawing_2<double> drawing = ba::drawing<double>(records);
       const ba::Fill_rule rule = fill_rule(words.reading.rule, ba::Fill_rule::NONZERO);
-      write_json(out, offsets_of(words, RECORD_NAME, drawing, rule, nullptr), drawing, eps);
+      write_json(out, offsets_of(words, RECORD_NAME, drawing, rule, true), drawing, eps);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
@@ -389,11 +394,7 @@ int run_offset(const Offset_words& words) {
   if (words.format == "dxf") tell_units_of_dxf({input.file, input.unit_in_mm});
   const Gcode_setup setup =
       is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
-  std::vector<ba::Offset> offsets;
-  {
-    Progress_line progress("offsets");
-    offsets = offsets_of(words, input.file, drawing, input.rule, &progress);
-  }
+  const std::vector<ba::Offset> offsets = offsets_of(words, input.file, drawing, input.rule, false);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
   else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));

@@ -5,6 +5,7 @@
 #include "query_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../loose_ends.h"
 #include "../option_words.h"
@@ -17,6 +18,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -287,8 +289,11 @@ int run_query(const CLI::App& command, const Query_options& options) {
     b = load_drawing(options.other, options.kernel, reading);
     drawings.push_back(b.curves.get());
   }
+  std::optional<Elapsed_line> elapsed;
+  if (points.empty()) elapsed.emplace(name);  // else points are counted
   const Query_answer answer =
       options.other.empty() ? answer_of_one(name, a, points, options) : answer_of_two(name, a, b, options);
+  elapsed.reset();
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), answer);
   else if (options.format == "csv") write_csv(output.stream(), answer);
