@@ -216,6 +216,10 @@ TEST(GcodeMoves, BreaksArcsThatControllersWouldMiss) {
   EXPECT_EQ(arcs_of({{0, 0}, {100, 0}, 0.02}), 1u);
   EXPECT_EQ(arcs_of({{0, 0}, {100, 0}, 0.01}), 0u);  // a radius of 2500 mm with 4 digits has more than 24 bits
   EXPECT_EQ(arcs_of({{0, 0}, {1, 0}, 1e-5}), 0u);    // as good as a line
+  setup.digits = 3;  // a small arc whose rounded center is on its other side would be most of a circle
+  const Arc_2 small{{0.2, 0.1}, {1.9, 1.2}, 0.32};
+  EXPECT_TRUE(std::isinf(tool::deviation(setup, {0, 0, 0}, {3, {2, 1, 0}, 2, -1}, small)));
+  EXPECT_LE(tool::deviation(setup, {0, 0, 0}, {3, {2, 1, 0}, 0, 2}, small), tool::MOVE_ERROR);
   setup.digits = 1;
   for (int i = 0; i < 100; ++i) {  // all that is written is taken, whatever the digits
     const double angle = i * 0.0628;

@@ -20,7 +20,7 @@ constexpr double MM_PER_INCH = 25.4, TURN = 6.283185307179586;
 constexpr double LEAST_RADIUS = 0.002;    // mm: LinuxCNC takes smaller ones for none
 constexpr double SINGLE = 0x1p24;         // the largest radius: that many numbers single precision tells apart
 constexpr double LINE_ERROR = 0.5;        // of lines in place of an arc, in units of the last digit
-constexpr double TURN_ERROR = 8;          // of an arc's length, by ends and center; a turn more or less is far more
+constexpr double TURN_ERROR = 8;          // of an arc's length, by ends and center; by less than 1 rad: a turn is more
 constexpr double MOST_COUNTS = 0x1p50;    // of coordinates, so that sums are exact
 constexpr double MOST_LINES = 1'000'000;  // in place of one arc
 
@@ -45,7 +45,8 @@ double arc_deviation(const Gcode_setup& setup, const Gcode_place& from, const Gc
   double turn = std::atan2(cross(arm, end), dot(arm, end));  // of a controller: a whole one where it is none
   if (move.motion == 2) turn = -turn;
   if (turn <= 0) turn += TURN;
-  if (std::fabs(turn - std::fabs(2 * ba::half_turn(part))) * radius > TURN_ERROR) return INFINITE;
+  const double missed = std::fabs(turn - std::fabs(2 * ba::half_turn(part)));
+  if (missed > 1 || missed * radius > TURN_ERROR) return INFINITE;
   return ba::euclidean_norm(center - ba::center(part)) +
          (std::max)(std::fabs(first - radius), std::fabs(last - radius));
 }
