@@ -257,8 +257,10 @@ Written_drawing written(const std::vector<Fitted_curve>& curves, const File_unit
   drawing.y_is_down = is_y_down(curves);
   drawing.unit_in_mm = unit.in_mm;
   drawing.page = page;
-  for (const Fitted_curve& c : curves)
-    drawing.curves.push_back({c.record.name, look_of(c.record), {c.chain.arcs.begin(), c.chain.arcs.end()}});
+  for (const Fitted_curve& c : curves) {
+    drawing.curves.push_back({c.record.name, look_of(c.record), {}});
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) add_piece(drawing.curves.back().pieces, arc);
+  }
   return drawing;
 }
 

@@ -108,6 +108,15 @@ run boolean union box.json --format svg --plain
 expect_paths "$results/out" '<path id="box" stroke="#000000" d="M0 0 L4 0 L4 -3 Z"/>'
 grep -q ' width="4" height="3" viewBox="0 -3 4 3">' "$results/out" || fail "$command_line: $(head -1 "$results/out")"
 
+# Arcs that are cut on the way are one again.
+svg '<path id="slot" d="M0 0H20A5 5 0 0 1 20 10H0A5 5 0 0 1 0 0Z"/>' > slot.svg
+for command in 'boolean union' 'arcs --eps 1e-3' 'boolean union --eps 1e-3'; do
+  # shellcheck disable=SC2086
+  run $command slot.svg --plain --format svg
+  expect_paths "$results/out" \
+    '<path id="slot" stroke="#000000" d="M0 0 L20 0 A5 5 0 0 1 20 10 L0 10 A5 5 0 0 1 0 0 Z"/>'
+done
+
 # Curves that SVG has not are refused, or arcs within eps.
 degree4='{"control_points":[[0,0],[1,3],[2,-3],[3,3],[4,0]]}'
 line='{"control_points":[[4,0],[0,0]]}'

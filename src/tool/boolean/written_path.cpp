@@ -28,7 +28,9 @@ Written_curve of_arcs(const std::string& file, const std::string& name, const Cu
   const ba::Arc_chain chain = ba::arc_chain(ba::Bounding_arc_tree_2(std::move(one)), eps);
   if (chain.status != ba::Build_status::COMPLETE)
     throw Input_error(file, "curve \"" + name + "\"", below_resolution(eps, chain.error));
-  return {name, look, {chain.arcs.begin(), chain.arcs.end()}};
+  Written_curve curve{name, look, {}};
+  for (const auto& arc : chain.arcs) add_piece(curve.pieces, arc);
+  return curve;
 }
 
 }  // namespace

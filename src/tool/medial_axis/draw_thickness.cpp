@@ -131,8 +131,9 @@ void draw_scale(std::ostream& out, const Found_thickness& found, const Sheet& sh
                   top + HEIGHT + TEXT, short_number(2 * largest * i / LABELS).c_str());
     out << text;
   }
-  std::snprintf(text, sizeof text, "<text class=\"k\" x=\"%.4f\" y=\"%.4f\">thickness%s</text>\n", left + width / 2,
-                top + HEIGHT + 2 * TEXT, found.has_limit() ? ", red where it is below the limit" : "");
+  const char* const what = found.has_limit() ? "thickness, red where it is below the limit" : "thickness";
+  std::snprintf(text, sizeof text, "<text class=\"k\" x=\"%.4f\" y=\"%.4f\">%s</text>\n", left + width / 2,
+                top + HEIGHT + 2 * TEXT, what);
   out << text;
   if (!found.has_limit() || found.below > 2 * largest) return;
   const double at = left + width * found.below / (2 * largest);

@@ -53,15 +53,19 @@ std::optional<ba::Arc_2> joined(const ba::Arc_2& a, const ba::Arc_2& b) {
   double bulge = std::tan(std::atan(a.bulge) + std::atan(b.bulge));
   if (std::fabs(std::fabs(bulge) - 1) < ROUNDING) bulge = std::copysign(1, bulge);
   const ba::Arc_2 both{a.from, b.to, bulge};
-  const auto radius = [](const ba::Arc_2& arc) {
-    return std::hypot(arc.to.x - arc.from.x, arc.to.y - arc.from.y) * (1 + arc.bulge * arc.bulge) /
-           std::fabs(4 * arc.bulge);
+  if (!(bulge * a.bulge > 0) || std::fabs(bulge) > 1) return std::nullopt;
+  const auto chord = [](const ba::Arc_2& arc) { return std::hypot(arc.to.x - arc.from.x, arc.to.y - arc.from.y); };
+  const auto radius = [&](const ba::Arc_2& arc) {
+    return chord(arc) * (1 + arc.bulge * arc.bulge) / std::fabs(4 * arc.bulge);
   };
   const double r = radius(both);
-  if (!(bulge * a.bulge > 0) || std::fabs(bulge) > 1) return std::nullopt;
-  const auto is_of_it = [&](const ba::Arc_2& part) { return std::fabs(radius(part) - r) <= ROUNDING * r; };
-  return is_of_it(a) && is_of_it(b) && std::fabs(ba::signed_distance(a.to, both)) <= ROUNDING * r ? std::optional(both)
-                                                                                                  : std::nullopt;
+  // In parts of its chord an arc is off by its bulge times what its radius is off by.
+  const auto is_of_it = [&](const ba::Arc_2& part) {
+    return std::fabs((radius(part) - r) * part.bulge) <= ROUNDING * r;
+  };
+  const bool is_one =
+      is_of_it(a) && is_of_it(b) && std::fabs(ba::signed_distance(a.to, both)) <= ROUNDING * chord(both);
+  return is_one ? std::optional(both) : std::nullopt;
 }
 
 }  // namespace
@@ -91,17 +95,18 @@ Written_piece written_piece(const ba::Bezier_curve_2<double>& curve) {
   return curve;
 }
 
+void add_piece(std::vector<Written_piece>& pieces, const Written_piece& piece) {
+  auto* const before = pieces.empty() ? nullptr : std::get_if<ba::Arc_2>(&pieces.back());
+  const auto* const arc = std::get_if<ba::Arc_2>(&piece);
+  const std::optional<ba::Arc_2> both = before != nullptr && arc != nullptr ? joined(*before, *arc) : std::nullopt;
+  if (both) *before = *both;
+  else pieces.push_back(piece);
+}
+
 Written_curve written_curve(const std::string& name, const Curve_look& look,
                             const std::vector<ba::Bezier_curve_2<double>>& pieces) {
   Written_curve curve{name, look, {}};
-  for (const auto& bezier : pieces) {
-    const Written_piece piece = written_piece(bezier);
-    auto* const before = curve.pieces.empty() ? nullptr : std::get_if<ba::Arc_2>(&curve.pieces.back());
-    const auto* const arc = std::get_if<ba::Arc_2>(&piece);
-    const std::optional<ba::Arc_2> both = before != nullptr && arc != nullptr ? joined(*before, *arc) : std::nullopt;
-    if (both) *before = *both;
-    else curve.pieces.push_back(piece);
-  }
+  for (const auto& bezier : pieces) add_piece(curve.pieces, written_piece(bezier));
   return curve;
 }
 

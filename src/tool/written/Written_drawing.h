@@ -40,7 +40,9 @@ struct Written_curve {
   double height = 0;                 ///< z of all pieces, where `heights` has none
   std::vector<double> heights = {};  ///< z of each vertex of segments that follow each other: one more than pieces
 };
-/// The pieces of a curve as they are best written; arcs of one circle that follow each other are one, up to half of it.
+/// Appends a piece. Arcs of one circle that follow each other become one, up to half of it: readers and approximations
+/// cut them.
+void add_piece(std::vector<Written_piece>& pieces, const Written_piece& piece);
 [[nodiscard]] Written_curve written_curve(const std::string& name, const Curve_look& look,
                                           const std::vector<CGAL::Bounding_arcs::Bezier_curve_2<double>>& pieces);
 
