@@ -53,14 +53,14 @@ struct Surroundings {
   Fill_rule rule = Fill_rule::NONZERO;
   Curve_record::Filling filling = Curve_record::CLOSED;  // of open subpaths: shapes are filled unless told otherwise
   bool is_visible = true;
-  std::string layer;           // the innermost one of Inkscape
-  int stroke = -1, fill = -1;  // colours, or none
+  std::string layer;                   // the innermost one of Inkscape
+  int stroke_rgb = -1, fill_rgb = -1;  // colours, or none
 
   // Style sheets go before attributes, but not before style attributes.
   void inherit(const Svg_style& style, bool has_sheet_that_fills) {
     const std::string fill = style.value("fill");
     for (const auto& [property, colour] :
-         {std::pair("stroke", &Surroundings::stroke), std::pair("fill", &Surroundings::fill)})
+         {std::pair("stroke", &Surroundings::stroke_rgb), std::pair("fill", &Surroundings::fill_rgb)})
       if (const std::string found = style.value(property); !found.empty() && found != "inherit")
         this->*colour = svg_colour(found);
     if (has_sheet_that_fills && style.declared("fill").empty()) filling = Curve_record::UNKNOWN;
@@ -247,7 +247,7 @@ class Svg_reader {
     Curve_record record;
     if (subpath.can_be_closed()) record.filling = surroundings.filling;
     record.layer = surroundings.layer;
-    record.colour.rgb = surroundings.stroke >= 0 ? surroundings.stroke : surroundings.fill;
+    record.colour.rgb = surroundings.stroke_rgb >= 0 ? surroundings.stroke_rgb : surroundings.fill_rgb;
     record.name = std::move(name);
     record.type = Curve_record::PATH;
     record.y_is_down = true;

@@ -208,10 +208,9 @@ const char* name_of(CGAL::Bounding_arcs::Fill_rule rule) {
 }
 
 void add_plain(CLI::App& command, bool& is_plain) {
-  command.add_flag(
-      "--plain", is_plain,
-      "Write SVG that is a drawing again: the result alone, in the coordinates and on the page of what was\n"
-      "read, arcs as arcs, with names as ids, layers and colours");
+  command.add_flag("--plain", is_plain,
+                   "Make SVG a drawing again: the result alone, in the coordinates and on the page of what was\n"
+                   "read, arcs as arcs, with names as ids, layers and colours");
 }
 
 void check_plain(bool is_plain, const std::string& format) {

@@ -52,7 +52,10 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
       ->check(CLI::Validator(check_join, "", "join-ends"))
       ->type_name("NUMBER");
   command.add_flag("--skip-open", words.skips_open, "Leave out curves that are open when all ends are joined");
-  command.add_option("--layers", words.layers, "Read only curves on these layers of a DXF file, with commas between")
+  command
+      .add_option(
+          "--layers", words.layers,
+          "Read only curves on these layers of a DXF file, or of an SVG file from Inkscape, with commas between")
       ->type_name("LIST");
   command
       .add_option("--ids", words.ids,
