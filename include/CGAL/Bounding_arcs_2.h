@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/join_curves.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/axis_branches.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>

@@ -6,11 +6,11 @@
 
 #include "Dxf_digits.h"
 #include "Dxf_groups.h"
+#include "Dxf_units.h"
 #include "Input_text.h"
 #include "dxf_entity_curves.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -26,50 +26,37 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// Millimeters in a unit of $INSUNITS, by its number in the DXF reference; 0 for none.
-double unit_in_mm(long long number) {
-  constexpr double INCH = 25.4, AU = 149597870700e3, SURVEY_FOOT = 1200e3 / 3937;
-  constexpr double UNITS[] = {
-      0,                            // none
-      INCH,                         // inch
-      12 * INCH,                    // foot
-      63360 * INCH,                 // mile
-      1,                            // mm
-      10,                           // cm
-      1e3,                          // m
-      1e6,                          // km
-      INCH / 1e6,                   // microinch
-      INCH / 1e3,                   // mil
-      36 * INCH,                    // yard
-      1e-7,                         // angstrom
-      1e-6,                         // nm
-      1e-3,                         // micrometer
-      1e2,                          // dm
-      1e4,                          // dam
-      1e5,                          // hm
-      1e12,                         // Gm
-      AU,                           // astronomical unit
-      9460730472580800e3,           // light year
-      3.0856775814913673e16 * 1e3,  // parsec, 648000 / pi astronomical units
-      SURVEY_FOOT,                  // US survey foot
-      SURVEY_FOOT / 12,             // US survey inch
-      SURVEY_FOOT * 3,              // US survey yard
-      SURVEY_FOOT * 5280,           // US survey mile
-  };
-  return number >= 0 && number < static_cast<long long>(std::size(UNITS)) ? UNITS[number] : 0;
-}
-
 // Variables of the header have their name in a group 9, and their value in the next one.
 double header_unit(const Dxf_item& header) {
   for (std::size_t i = 0; i + 1 < header.groups.size(); ++i) {
     if (header.groups[i].code != 9 || header.groups[i].value != "$INSUNITS") continue;
     try {
-      return unit_in_mm(integer_value(header.groups[i + 1]));
+      return dxf_unit_in_mm(integer_value(header.groups[i + 1]));
     } catch (const Dxf_left_out&) {
       return 0;  // what is no number tells no unit
     }
   }
   return 0;
+}
+
+// What is no number has no meaning: that of a layer hides nothing, that of a colour is none.
+long long integer_or(const Dxf_item& item, int code, long long otherwise) {
+  try {
+    return item.integer(code, otherwise);
+  } catch (const Dxf_left_out&) {
+    return otherwise;
+  }
+}
+
+// A layer that is off has a number below 0.
+Dxf_colour colour_of(const Dxf_item& item) {
+  constexpr long long WHITE = 0xFFFFFF;
+  const long long number = integer_or(item, 62, Dxf_colour::BY_LAYER), rgb = integer_or(item, 420, -1);
+  Dxf_colour colour;
+  if (number >= -Dxf_colour::BY_LAYER && number <= Dxf_colour::BY_LAYER)
+    colour.number = static_cast<int>(number < 0 ? -number : number);
+  if (rgb >= 0 && rgb <= WHITE) colour.rgb = static_cast<int>(rgb);
+  return colour;
 }
 
 bool begins(const std::string& key, std::string_view head) { return key.compare(0, head.size(), head) == 0; }
@@ -134,14 +121,8 @@ class Dxf_collector {
 
   void add_layer(const Dxf_item& item) {
     constexpr int FROZEN = 1;
-    const auto number = [&](int code) {
-      try {
-        return item.integer(code, 0);
-      } catch (const Dxf_left_out&) {
-        return 0LL;  // a layer of no meaning hides nothing
-      }
-    };
-    contents.layers[dxf_key(item.text(2, ""))] = {number(62) < 0, (number(70) & FROZEN) != 0};
+    contents.layers[dxf_key(item.text(2, ""))] = {integer_or(item, 62, 0) < 0, (integer_or(item, 70, 0) & FROZEN) != 0,
+                                                  colour_of(item)};
   }
 
   void open(const Dxf_item& item) {
@@ -174,6 +155,7 @@ class Dxf_collector {
     entity.kind = one_line(item.kind, LONGEST_KIND);
     entity.layer = item.text(8, "0");
     entity.number = ++numbers_[entity.noun()];
+    entity.colour = colour_of(item);
     digits_.take(item);
     try {
       entity.is_invisible = item.integer(60, 0) == 1;

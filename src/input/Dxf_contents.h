@@ -30,6 +30,13 @@ struct Dxf_insertion {
   }
 };
 
+/// A colour as it stands in an entity or layer.
+struct Dxf_colour {
+  static constexpr int BY_BLOCK = 0, BY_LAYER = 256;
+  int number = BY_LAYER;
+  int rgb = -1;  ///< of group 420; -1 for none
+};
+
 /// An entity: its curves, or an insertion, or why it is left out.
 struct Dxf_entity {
   std::string kind, layer;
@@ -39,6 +46,7 @@ struct Dxf_entity {
   std::string reason;  ///< why it is left out, or empty
   std::string fault;   ///< what was wrong with it, though it was read, or empty
   bool is_in_paper = false, is_invisible = false;
+  Dxf_colour colour;
 
   /// What records without a layer are called: "line", "polyline".
   [[nodiscard]] std::string noun() const;
@@ -50,6 +58,7 @@ struct Dxf_block {
 };
 struct Dxf_layer {
   bool is_off = false, is_frozen = false;
+  Dxf_colour colour;
 };
 
 /// Blocks and layers are found by their names as keys.

@@ -167,4 +167,26 @@ double Svg_element::root_unit_in_mm() const {
   return ratio.kind == Aspect_ratio::MEET ? (std::min)(x, y) : (std::max)(x, y);
 }
 
+std::optional<CGAL::Bounding_arcs::Page> Svg_element::root_page() const {
+  const auto text = [&](const char* attribute) { return std::string(node_.attribute(attribute).value()); };
+  CGAL::Bounding_arcs::Page page;
+  page.shown_width = text("width");
+  page.shown_height = text("height");
+  page.aspect_ratio = text("preserveAspectRatio");
+  try {
+    if (has("viewBox")) {
+      const Viewbox box = parsed("viewBox", parsed_viewbox);
+      page.view_box = text("viewBox");
+      page.x = box.x, page.y = box.y, page.width = box.width, page.height = box.height;
+    } else {
+      page.width = size("width", 0, 0);
+      page.height = size("height", 0, 0);
+    }
+  } catch (const Svg_error&) {
+    return std::nullopt;
+  }
+  if (!(page.width > 0 && page.height > 0)) return std::nullopt;
+  return page;
+}
+
 }  // namespace bounding_arcs_tool

@@ -12,8 +12,11 @@
 #include "Svg_scanner.h"
 #include "Svg_style.h"
 
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+
 #include <pugixml.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +38,11 @@ class Svg_element {
   [[nodiscard]] bool has(const char* attribute) const { return !node_.attribute(attribute).empty(); }
   /// The length of all attributes, names and quotes counted as one byte each.
   [[nodiscard]] std::size_t attribute_bytes() const;
+  /// Whether it is a group that Inkscape shows as a layer.
+  [[nodiscard]] bool is_layer() const {
+    return name() == "g" && std::string_view(node_.attribute("inkscape:groupmode").value()) == "layer";
+  }
+  [[nodiscard]] std::string_view layer_name() const { return node_.attribute("inkscape:label").value(); }
   /// Whether it asks for no extension, and for no language or for English among others.
   [[nodiscard]] bool is_wanted() const;
   /// The value of href, with or without the prefix xlink.
@@ -57,6 +65,9 @@ class Svg_element {
   /// viewBox it is that of a pixel, of which an inch has 96.
   /// \return 0 where none has, and where units are of different lengths along x and y
   [[nodiscard]] double root_unit_in_mm() const;
+
+  /// What the root element shows; nothing where it tells neither a viewBox nor a width and height.
+  [[nodiscard]] std::optional<CGAL::Bounding_arcs::Page> root_page() const;
 
   /// parse(value) of an attribute, with its name put into an Svg_error.
   template <class Parse> auto parsed(const char* attribute, Parse parse) const {

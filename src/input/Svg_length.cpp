@@ -19,12 +19,12 @@ namespace {
 struct Unit {
   const char* name;
   double size;
-  double mm = 0;  // 0 for what has no size of its own outside of a screen
+  double mm = 0;  // 0 for what has no size of its own
 };
 
 // User units in a unit, 96 of them to the inch; the font is taken to be 16 units high and half that for small letters.
 constexpr Unit UNITS[] = {{"", 1},
-                          {"px", 1},
+                          {"px", 1, 25.4 / 96},
                           {"pt", 96.0 / 72, 25.4 / 72},
                           {"pc", 16, 25.4 / 6},
                           {"mm", 96 / 25.4, 1},

@@ -26,9 +26,8 @@ struct Svg_viewport {
 /// The length that is a whole text, in user units. \throws Svg_error
 [[nodiscard]] double parsed_svg_length(std::string_view text, double whole);
 
-/// The length that is a whole text, in mm. \return 0 for other units than mm, cm, in, pt, pc and q, lengths that are
-/// not
-///   above 0 and what is no length
+/// The length that is a whole text, in mm, of which an inch has 25.4 and 96 px.
+/// \return 0 for other units than mm, cm, in, pt, pc, q and px, lengths that are not above 0 and what is no length
 [[nodiscard]] double svg_length_in_mm(std::string_view text);
 
 }  // namespace bounding_arcs_tool

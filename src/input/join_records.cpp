@@ -36,6 +36,7 @@ Curve_record joined_record(Curve_record first, std::vector<Bezier_curve_2<double
   Curve_record record;
   record.name = std::move(first.name);
   record.layer = std::move(first.layer);
+  record.colour = first.colour;
   record.type = Curve_record::PATH;
   record.y_is_down = first.y_is_down;
   record.filling = is_closed ? Curve_record::NO_INSIDE : first.filling;

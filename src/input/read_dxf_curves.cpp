@@ -22,6 +22,8 @@
 namespace bounding_arcs_tool {
 namespace {
 
+using CGAL::Bounding_arcs::Curve_colour;
+
 // Keeps what insertions make of a small file within a megabyte of stack and some hundred megabytes.
 constexpr std::size_t MAXIMUM_BLOCK_NESTING = 64, MAXIMUM_ENTITIES = 1000000;
 
@@ -49,15 +51,23 @@ class Dxf_expansion {
   Dxf_expansion(const Dxf_contents& contents, const Reading_options& options, std::string file)
       : contents_(contents), options_(options), file_(std::move(file)) {}
 
-  void visit(const Dxf_block& block, const Svg_transform& transform, const std::string& outer_layer) {
+  // What is drawn takes of what is around it: nothing, or the insertion of a block.
+  struct Around {
+    Svg_transform transform;
+    std::string layer;
+    Curve_colour colour;
+  };
+
+  void visit(const Dxf_block& block, const Around& around) {
     for (const Dxf_entity& entity : block.entities) {
       count(entity, 1);
       // what is on layer 0 of a block goes to the layer of the insertion
-      const std::string& layer = entity.layer == "0" && !inserted_.empty() ? outer_layer : entity.layer;
+      const std::string& layer = entity.layer == "0" && !inserted_.empty() ? around.layer : entity.layer;
+      const Around here{around.transform, layer, seen_colour(entity.colour, layer, around.colour)};
       std::string reason = reason_to_hide(entity, layer);
       if (reason.empty()) reason = entity.reason;
-      if (reason.empty() && entity.kind == "INSERT") reason = insert(entity, transform, layer);
-      if (reason.empty()) reason = add(entity, transform, layer);
+      if (reason.empty() && entity.kind == "INSERT") reason = insert(entity, here);
+      if (reason.empty()) reason = add(entity, here);
       if (!reason.empty()) notes_.add(entity, reason);
       else if (!entity.fault.empty()) notes_.add(entity, entity.fault, true);
     }
@@ -94,8 +104,21 @@ class Dxf_expansion {
     return found->second.is_off && entity.kind != "INSERT" ? "on a layer that is off" : "";
   }
 
+  // What is by block outside of one is as a CAD program shows what has no colour.
+  [[nodiscard]] Curve_colour seen_colour(const Dxf_colour& colour, const std::string& layer,
+                                         const Curve_colour& of_block) const {
+    constexpr int BLACK_OR_WHITE = 7;
+    if (colour.rgb >= 0 || (colour.number != Dxf_colour::BY_LAYER && colour.number != Dxf_colour::BY_BLOCK))
+      return {colour.number % Dxf_colour::BY_LAYER, colour.rgb};
+    if (colour.number == Dxf_colour::BY_BLOCK) return inserted_.empty() ? Curve_colour{BLACK_OR_WHITE, -1} : of_block;
+    const auto found = contents_.layers.find(dxf_key(layer));
+    if (found == contents_.layers.end()) return {BLACK_OR_WHITE, -1};
+    const Dxf_colour& of_layer = found->second.colour;
+    return {of_layer.number % Dxf_colour::BY_LAYER, of_layer.rgb};
+  }
+
   // \return why it is left out, or nothing
-  std::string insert(const Dxf_entity& entity, const Svg_transform& transform, const std::string& layer) {
+  std::string insert(const Dxf_entity& entity, const Around& here) {
     const auto found = contents_.blocks.find(entity.insertion.block);
     if (found == contents_.blocks.end()) return "its block is missing";
     const Dxf_block& block = found->second;
@@ -106,7 +129,8 @@ class Dxf_expansion {
     for (long long i = 0; i < entity.insertion.columns; ++i)
       for (long long k = 0; k < entity.insertion.rows; ++k) {
         count(entity, 1);
-        visit(block, transform * entity.insertion.at(i, k) * svg_translation(-block.base.x, -block.base.y), layer);
+        visit(block, {here.transform * entity.insertion.at(i, k) * svg_translation(-block.base.x, -block.base.y),
+                      here.layer, here.colour});
       }
     inserted_.pop_back();
     return "";
@@ -137,16 +161,18 @@ class Dxf_expansion {
   }
 
   // \return why it is left out, or nothing
-  std::string add(const Dxf_entity& entity, const Svg_transform& transform, const std::string& layer) {
+  std::string add(const Dxf_entity& entity, const Around& here) {
+    const std::string& layer = here.layer;
     const bool is_named = !layer.empty() && layer != "0";
     for (std::size_t i = 0; i < entity.curves.size(); ++i) {
       Curve_record record;
       record.type = Curve_record::PATH;
       record.layer = valid_utf8(layer);
+      record.colour = here.colour;
       record.name = is_named ? valid_utf8(layer) : entity.noun() + std::to_string(entity.number);
       if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
       try {
-        record.beziers = transformed(entity.curves[i], transform);
+        record.beziers = transformed(entity.curves[i], here.transform);
       } catch (const std::invalid_argument& error) {
         return error.what();
       }
@@ -178,7 +204,7 @@ class Dxf_expansion {
 Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Reading_options& options) {
   const Dxf_contents contents = dxf_contents(text, file);
   Dxf_expansion expansion(contents, options, file);
-  expansion.visit(contents.drawing, {}, "");
+  expansion.visit(contents.drawing, {});
   return std::move(expansion).result();
 }
 

@@ -10,6 +10,7 @@
 #include "Svg_fill_rules.h"
 #include "Svg_notes.h"
 #include "Svg_style.h"
+#include "svg_colour.h"
 
 #include <algorithm>
 #include <iterator>
@@ -52,10 +53,16 @@ struct Surroundings {
   Fill_rule rule = Fill_rule::NONZERO;
   Curve_record::Filling filling = Curve_record::CLOSED;  // of open subpaths: shapes are filled unless told otherwise
   bool is_visible = true;
+  std::string layer;                   // the innermost one of Inkscape
+  int stroke_rgb = -1, fill_rgb = -1;  // colours, or none
 
   // Style sheets go before attributes, but not before style attributes.
   void inherit(const Svg_style& style, bool has_sheet_that_fills) {
     const std::string fill = style.value("fill");
+    for (const auto& [property, colour] :
+         {std::pair("stroke", &Surroundings::stroke_rgb), std::pair("fill", &Surroundings::fill_rgb)})
+      if (const std::string found = style.value(property); !found.empty() && found != "inherit")
+        this->*colour = svg_colour(found);
     if (has_sheet_that_fills && style.declared("fill").empty()) filling = Curve_record::UNKNOWN;
     else if (fill == "none" || fill == "transparent") filling = Curve_record::NO_INSIDE;
     else if (!fill.empty() && fill != "inherit" && fill != "unset") filling = Curve_record::CLOSED;
@@ -83,7 +90,7 @@ class Svg_reader {
     if (is_displayed(root, style)) visit_children(root, surroundings);
     const Fill_rule rule = options_.rule ? *options_.rule : rules_.most(notes_);
     if (records_.empty()) fail_without_curve(root);
-    return {std::move(records_), rule, notes_.notes(), root.root_unit_in_mm()};
+    return {std::move(records_), rule, notes_.notes(), root.root_unit_in_mm(), 0, root.root_page()};
   }
 
  private:
@@ -128,6 +135,7 @@ class Svg_reader {
     if (!is_displayed(element, style)) return;
     style.note_unread(element.name(), notes_);
     surroundings.transform = surroundings.transform * element.transform(style, surroundings.viewport);
+    if (element.is_layer()) surroundings.layer = valid_utf8(element.layer_name());
     if (is_viewport(element, surroundings) && !enter_viewport(element, surroundings))
       return notes_.add(element.name(), "has no size");
     surroundings.use = nullptr;
@@ -231,13 +239,15 @@ class Svg_reader {
     for (std::size_t i = 0; i < subpaths.size(); ++i) {
       count(element, subpaths[i].beziers.size() + name.size() / NAME_BYTES_COUNTED_AS_ONE);
       const std::string number = subpaths.size() > 1 ? '.' + std::to_string(i + 1) : "";
-      records_.push_back(record(std::move(subpaths[i]), name + number, surroundings.filling));
+      records_.push_back(record(std::move(subpaths[i]), name + number, surroundings));
     }
   }
 
-  static Curve_record record(Svg_subpath subpath, std::string name, Curve_record::Filling filling) {
+  static Curve_record record(Svg_subpath subpath, std::string name, const Surroundings& surroundings) {
     Curve_record record;
-    if (subpath.can_be_closed()) record.filling = filling;
+    if (subpath.can_be_closed()) record.filling = surroundings.filling;
+    record.layer = surroundings.layer;
+    record.colour.rgb = surroundings.stroke_rgb >= 0 ? surroundings.stroke_rgb : surroundings.fill_rgb;
     record.name = std::move(name);
     record.type = Curve_record::PATH;
     record.y_is_down = true;

@@ -49,9 +49,13 @@ std::vector<Loaded_curve> cut_curves(const std::string& file, std::vector<Curve_
 
 std::vector<Loaded_curve> load_curves(const Options& options) {
   std::vector<Loaded_curve> curves;
-  for (const std::string& file : options.files)
-    for (Loaded_curve& curve : cut_curves(name_of_file(file), read_told(file, options.reading).curves, options.kernel))
+  Reading_words reading = options.reading;
+  for (const std::string& file : options.files) {
+    CGAL::Bounding_arcs::Curve_file read = read_told(file, reading);
+    reading.keep_unit({name_of_file(file), read.unit_in_mm});
+    for (Loaded_curve& curve : cut_curves(name_of_file(file), std::move(read.curves), options.kernel))
       curves.push_back(std::move(curve));
+  }
   return curves;
 }
 

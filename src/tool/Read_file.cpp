@@ -5,6 +5,7 @@
 #include "Read_file.h"
 
 #include "../input/Input_text.h"
+#include "Elapsed_line.h"
 #include "loose_ends.h"
 #include "number_text.h"
 #include "option_words.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -70,11 +72,33 @@ std::string layers_of(const std::vector<Curve_record>& curves) {
   return "layers that have curves, " + one_of_text({layers.begin(), layers.end()});
 }
 
+// \return what is said of it
+std::string convert(ba::Curve_file& file, const File_unit& wanted, const std::string& name) {
+  if (wanted.in_mm == 0 || file.curves.empty()) return "";
+  const bool is_by_word = wanted.file.empty();
+  const std::string word = word_of_unit(wanted.in_mm);
+  if (file.unit_in_mm == 0) {
+    if (!is_by_word) return "";
+    tell_unit(file, wanted.in_mm);
+    return "no unit told: 1 unit is taken for 1 " + word;
+  }
+  if (is_same_unit(file.unit_in_mm, wanted.in_mm)) return "";
+  const std::string from = unit_text(file.unit_in_mm);
+  convert_to_unit(file, wanted.in_mm, name);
+  const std::string to =
+      is_by_word ? word : "units of " + unit_text(wanted.in_mm) + ", as in " + one_line(wanted.file, std::string::npos);
+  return "converted from units of " + from + " to " + to;
+}
+
 }  // namespace
 
 Read_file read_file(const std::string& path, const Reading_words& words) {
   const std::string name = name_of_file(path);
-  Read_file read{read_curve_file(path, reading_options(words)), {}, "", 0, ""};
+  std::optional<Elapsed_line> elapsed;
+  if (path != "-") elapsed.emplace("reading " + one_line(name, std::string::npos));  // who types needs no clock
+  Read_file read;
+  read.file = read_curve_file(path, reading_options(words));
+  read.converted = convert(read.file, words.unit, name);
   read.parts.assign(read.file.curves.size(), 1);
   if (!words.layers.empty())
     select(

@@ -11,7 +11,9 @@
 #include "dxf/write_dxf.h"
 #include "option_words.h"
 #include "svg_paths.h"
+#include "toolpath/order_passes.h"
 #include "usage.h"
+#include "written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include "../library/chain/slope_integral.h"
@@ -23,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -197,7 +200,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   Dot_width dots;
   for (const Fitted_curve& c : curves)
     for (const ba::Chain_arc_2& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
-  const std::string eps_text = number(eps);
+  const std::string eps_text = short_number(eps);
   char text[900];
   std::snprintf(
       text, sizeof text,
@@ -244,15 +247,37 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   out << "</svg>\n";
 }
 
-// A layer a curve.
-void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves, Dxf_entities entities) {
-  std::vector<Dxf_chain> chains;
+bool is_y_down(const std::vector<Fitted_curve>& curves) {
+  return std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
+}
+
+Written_drawing written(const std::vector<Fitted_curve>& curves, const File_unit& unit,
+                        const std::optional<ba::Page>& page) {
+  Written_drawing drawing;
+  drawing.y_is_down = is_y_down(curves);
+  drawing.unit_in_mm = unit.in_mm;
+  drawing.page = page;
   for (const Fitted_curve& c : curves) {
-    chains.push_back({c.record.name, {}});
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) chains.back().pieces.push_back(arc);
+    drawing.curves.push_back({c.record.name, look_of(c.record), {}});
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) add_piece(drawing.curves.back().pieces, arc);
   }
-  const bool is_drawing = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
-  write_dxf(out, chains, is_drawing, entities);
+  return drawing;
+}
+
+// A pass a curve.
+std::vector<Tool_pass> tool_passes(const std::vector<Fitted_curve>& curves, double depth) {
+  std::vector<Tool_pass> passes;
+  for (const Fitted_curve& c : curves) {
+    const std::vector<Arc_2> arcs(c.chain.arcs.begin(), c.chain.arcs.end());
+    for (Tool_pass& pass : passes_of("curve " + c.record.name, -depth, arcs)) passes.push_back(std::move(pass));
+  }
+  return inside_out(passes);
+}
+
+// The rule of a DXF file is not that of SVG, which plays a part where closed curves are within others.
+void tell_of_rule(const std::string& file, ba::Fill_rule rule, std::size_t closed) {
+  if (rule == ba::Fill_rule::EVEN_ODD && closed > 1)
+    tell(file, "its rule is evenodd, which is not that of plain SVG: read that with --rule evenodd");
 }
 
 }  // namespace
@@ -273,8 +298,10 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
                    "Where the chain may run; inner is the inside of a closed curve, of an open one closed by its chord")
       ->check(one_of({"two", "inner", "outer"}))
       ->capture_default_str();
-  add_output(*arcs, {"table", "json", "csv", "svg", "dxf"}, options.format, options.output);
+  add_output(*arcs, {"table", "json", "csv", "svg", "dxf", "gcode"}, options.format, options.output);
+  add_plain(*arcs, options.is_plain);
   add_dxf_entities(*arcs, options.dxf);
+  add_gcode_options(*arcs, options.gcode, true);
   add_stream_options(*arcs, options.stream, options.format);
   arcs->add_option("--repeat", options.repeat,
                    "For the table, fit each curve this often; the least and the median time are shown")
@@ -284,18 +311,23 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       ->check(whole_number_in(1, 4'000'000'000))
       ->capture_default_str();
   arcs->footer(
+      "G-code has a pass a curve; what lies in a closed one comes first, and then what starts nearest to the tool.\n"
       "Examples:\n"
       "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
       "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
       "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n"
-      "  bounding_arcs arcs --eps 0.01 --format dxf drawing.svg -o drawing.dxf\n"
+      "  bounding_arcs arcs --eps 0.01 drawing.svg --plain -o drawing_of_arcs.svg\n"
+      "  bounding_arcs arcs --eps 0.01 --units mm --format dxf drawing.svg -o drawing.dxf\n"
       "  bounding_arcs arcs --eps 0.01 --format dxf --dxf-entities arcs drawing.svg -o drawing.dxf\n"
+      "  bounding_arcs arcs --eps 0.01 --feed 600 --depth 1 drawing.dxf -o drawing.nc\n"
       "  bounding_arcs arcs --eps 0.01 --stream --jobs 8 records.jsonl -o results.jsonl\n");
   return arcs;
 }
 
 int run_arcs(const Arcs_options& options) {
   check_inputs(options.files);
+  const bool is_gcode = options.format == "gcode";
+  if (is_gcode) check_gcode_words(options.gcode);
   const double eps = std::strtod(options.eps.c_str(), nullptr);
   if (options.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
@@ -305,22 +337,36 @@ int run_arcs(const Arcs_options& options) {
     };
     return run_stream(options.stream, options.files.front(), options.output, answer);
   }
+  check_plain(options.is_plain, options.format);
   std::vector<Fitted_curve> curves;
-  std::vector<File_unit> units;
+  Reading_words reading = options.reading;
+  std::optional<ba::Page> page;
   for (const std::string& file : options.files) {
-    ba::Curve_file read = read_told(file, options.reading);
-    units.push_back({name_of_file(file), read.unit_in_mm});
-    for (Curve_record& record : read.curves) curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
+    ba::Curve_file read = read_told(file, reading);
+    reading.keep_unit({name_of_file(file), read.unit_in_mm});
+    if (!page) page = read.page;
+    if (options.is_plain)
+      tell_of_rule(name_of_file(file), read.rule,
+                   static_cast<std::size_t>(std::count_if(read.curves.begin(), read.curves.end(),
+                                                          [](const Curve_record& r) { return r.closed; })));
+    Progress_line progress("fitting arcs, curves");
+    for (std::size_t i = 0; i < read.curves.size(); ++i) {
+      progress(i, read.curves.size());
+      curves.push_back(fit(name_of_file(file), std::move(read.curves[i]), eps, options));
+    }
   }
-  if (options.format == "dxf") {
-    tell_units(units);
-    tell_units_of_dxf(units);
-  }
+  if (options.format == "dxf") tell_units_of_dxf(reading.unit);
+  const File_unit unit =
+      reading.unit.file.empty() ? File_unit{name_of_file(options.files.front()), reading.unit.in_mm} : reading.unit;
+  const Gcode_setup setup = is_gcode ? gcode_setup(options.gcode, unit, is_y_down(curves)) : Gcode_setup{};
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
+  else if (options.is_plain) write_plain_svg(output.stream(), written(curves, reading.unit, page));
   else if (options.format == "svg") draw(output.stream(), curves, eps);
-  else if (options.format == "dxf") write_dxf(output.stream(), curves, dxf_entities(options.dxf));
+  else if (options.format == "dxf")
+    write_dxf(output.stream(), written(curves, reading.unit, page), dxf_entities(options.dxf));
   else if (options.format == "csv") write_csv(output.stream(), curves);
+  else if (is_gcode) write_gcode(output.stream(), unit.file, tool_passes(curves, setup.depth), setup);
   else write_table(output.stream(), curves, eps);
   output.commit();
   return 0;

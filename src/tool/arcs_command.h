@@ -9,6 +9,7 @@
 
 #include "reading.h"
 #include "stream/record_stream.h"
+#include "toolpath/gcode_options.h"
 
 #include <cstddef>
 #include <string>
@@ -24,6 +25,8 @@ struct Arcs_options {
   std::vector<std::string> files;
   std::string eps, continuity = "tangent", side = "two", format = "table", output, dxf = "polylines";
   std::size_t repeat = 5, max_arcs = 20'000'000;
+  bool is_plain = false;
+  Gcode_words gcode;
   Stream_options stream;
   Reading_words reading;
 };

@@ -97,7 +97,7 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
   const Dots dots(view, curves);
-  const std::string eps_text = number(eps);
+  const std::string eps_text = short_number(eps);
   const char* noun = regions == 1 ? "region" : "regions";
   char text[900];
   std::snprintf(text, sizeof text,

@@ -79,8 +79,9 @@ namespace {
 struct Form_ending {
   const char *form, *ending;
 };
-constexpr Form_ending ENDINGS[] = {{"json", ".json"}, {"svg", ".svg"},     {"csv", ".csv"},  {"dxf", ".dxf"},
-                                   {"table", ".txt"}, {"markdown", ".md"}, {"html", ".html"}};
+constexpr Form_ending ENDINGS[] = {{"json", ".json"}, {"svg", ".svg"},     {"csv", ".csv"},   {"dxf", ".dxf"},
+                                   {"table", ".txt"}, {"markdown", ".md"}, {"html", ".html"}, {"gcode", ".gcode"},
+                                   {"gcode", ".nc"},  {"gcode", ".ngc"}};
 
 std::string endings_of(const std::vector<std::string>& forms) {
   std::vector<std::string> endings;
@@ -204,6 +205,16 @@ CGAL::Bounding_arcs::Fill_rule fill_rule(const std::string& word, CGAL::Bounding
 
 const char* name_of(CGAL::Bounding_arcs::Fill_rule rule) {
   return rule == CGAL::Bounding_arcs::Fill_rule::NONZERO ? "nonzero" : "evenodd";
+}
+
+void add_plain(CLI::App& command, bool& is_plain) {
+  command.add_flag("--plain", is_plain,
+                   "Make SVG a drawing again: the result alone, in the coordinates and on the page of what was\n"
+                   "read, arcs as arcs, with names as ids, layers and colours");
+}
+
+void check_plain(bool is_plain, const std::string& format) {
+  if (is_plain && format != "svg") throw Usage_error("--format", "svg with --plain, which no other form has", format);
 }
 
 void add_dxf_entities(CLI::App& command, std::string& word) {

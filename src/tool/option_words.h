@@ -73,6 +73,11 @@ CLI::Option* add_rule(CLI::App& command, std::string& word);
 /// What a rule is called.
 [[nodiscard]] const char* name_of(CGAL::Bounding_arcs::Fill_rule rule);
 
+/// Adds the flag --plain.
+void add_plain(CLI::App& command, bool& is_plain);
+/// Throws where it is asked for beside another format than svg. \throws Usage_error
+void check_plain(bool is_plain, const std::string& format);
+
 /// Adds the option --dxf-entities: polylines or arcs.
 void add_dxf_entities(CLI::App& command, std::string& word);
 [[nodiscard]] Dxf_entities dxf_entities(const std::string& word);

@@ -4,6 +4,7 @@
 
 #include "reading.h"
 
+#include "../input/Dxf_units.h"
 #include "../input/Input_text.h"
 #include "Read_file.h"
 #include "option_words.h"
@@ -35,6 +36,15 @@ std::string check_join(const std::string& word) {
 
 void add_reading_options(CLI::App& command, Reading_words& words) {
   command
+      .add_option_function<std::string>(
+          "--units",
+          [&words](const std::string& word) {
+            words.unit = {"", unit_of_word(word)};
+          },
+          "Convert what is read to that unit, which distances, --eps and results are in; a file that tells no unit\n"
+          "is taken to be in it. Without it the unit of the first file that tells one")
+      ->check(one_of(unit_words()));
+  command
       .add_option("--join-ends", words.join,
                   "Join open curves where exactly two ends are that near, in units of the coordinates: an outline of\n"
                   "loose lines gets an inside. Without it those of DXF and SVG files that rounding parts; none joins "
@@ -42,7 +52,10 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
       ->check(CLI::Validator(check_join, "", "join-ends"))
       ->type_name("NUMBER");
   command.add_flag("--skip-open", words.skips_open, "Leave out curves that are open when all ends are joined");
-  command.add_option("--layers", words.layers, "Read only curves on these layers of a DXF file, with commas between")
+  command
+      .add_option(
+          "--layers", words.layers,
+          "Read only curves on these layers of a DXF file, or of an SVG file from Inkscape, with commas between")
       ->type_name("LIST");
   command
       .add_option("--ids", words.ids,
@@ -84,14 +97,16 @@ ba::Reading_options reading_options(const Reading_words& words) {
 
 ba::Curve_file read_joined(const std::string& path, const Reading_words& words) {
   Read_file read = read_file(path, words);
-  if (!read.joined.empty()) tell(name_of_file(path), read.joined);
+  for (const std::string& text : {read.converted, read.joined})
+    if (!text.empty()) tell(name_of_file(path), text);
   return std::move(read.file);
 }
 
 ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
   const std::string name = name_of_file(path);
   Read_file read = read_file(path, words);
-  if (!read.joined.empty()) tell(name, read.joined);
+  for (const std::string& text : {read.converted, read.joined})
+    if (!text.empty()) tell(name, text);
   if (words.skips_open) skip_open(name, read);
   if (!read.skipped.empty()) tell(name, read.skipped);  // no error with --strict, as it was asked for
   tell_notes(name, read.file.notes, words);
@@ -104,33 +119,10 @@ void tell_left_out(const std::string& file, const std::string& command, std::siz
                  " nothing: the " + name_of(rule) + " rule fills both sides or neither; --rule chooses");
 }
 
-namespace {
-
-// Files write sizes with seven digits or so. A US survey foot is longer than a foot by twice as much.
-constexpr double SAME_UNIT = 1e-6;
-bool is_same_unit(double a, double b) { return std::fabs(a - b) <= SAME_UNIT * (std::max)(a, b); }
-
-std::string unit_text(double in_mm) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.9g mm", in_mm);
-  return digits;
-}
-
-}  // namespace
-
-void tell_units(const std::vector<File_unit>& files) {
-  const auto has_unit = [](const File_unit& f) { return f.in_mm > 0; };
-  const auto first = std::find_if(files.begin(), files.end(), has_unit);
-  for (auto other = first; other != files.end(); ++other)
-    if (has_unit(*other) && !is_same_unit(other->in_mm, first->in_mm))
-      tell(other->file, "1 unit is " + unit_text(other->in_mm) + ", and " + unit_text(first->in_mm) + " in " +
-                            one_line(first->file, std::string::npos) + ": coordinates are taken as they are");
-}
-
-void tell_units_of_dxf(const std::vector<File_unit>& files) {
-  for (const File_unit& f : files)
-    if (f.in_mm > 0 && !is_same_unit(f.in_mm, 1))
-      tell(f.file, "1 unit is " + unit_text(f.in_mm) + ": coordinates are written as they are");
+void tell_units_of_dxf(const File_unit& unit) {
+  if (unit.in_mm > 0 && dxf_number_of_unit(unit.in_mm) == 0)
+    tell(unit.file.empty() ? "--units" : unit.file,
+         "1 unit is " + unit_text(unit.in_mm) + ", for which DXF has no word: none is written; --units converts");
 }
 
 }  // namespace bounding_arcs_tool

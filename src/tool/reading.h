@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_READING_H
 #define BOUNDING_ARCS_TOOL_READING_H
 
+#include "units.h"
+
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <cstddef>
@@ -27,9 +29,15 @@ struct Reading_words {
   bool skips_open = false;  ///< open curves are left out
   std::string layers, ids;  ///< that are wanted, with commas between; empty for all
   std::string rule;         ///< nonzero or evenodd for what needs one; empty for the file's own
+  File_unit unit;           ///< that coordinates are converted to; none for that of the file
+
+  /// Has the files that are read from now on converted to the unit of one, if it tells one and no unit was wanted yet.
+  void keep_unit(const File_unit& of) {
+    if (unit.in_mm == 0) unit = of;
+  }
 };
 
-/// Adds the options --join-ends, --skip-open, --layers, --ids, --strict, --hidden and --paper.
+/// Adds the options --units, --join-ends, --skip-open, --layers, --ids, --strict, --hidden and --paper.
 void add_reading_options(CLI::App& command, Reading_words& words);
 
 /// What messages call a file.
@@ -57,15 +65,8 @@ void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::
 void tell_left_out(const std::string& file, const std::string& command, std::size_t count,
                    CGAL::Bounding_arcs::Fill_rule rule);
 
-/// How long a unit of a file's coordinates is.
-struct File_unit {
-  std::string file;
-  double in_mm = 0;  ///< 0 where the file tells none
-};
-/// Says which files have another unit than the first one that has any: what is used together is not converted.
-void tell_units(const std::vector<File_unit>& files);
-/// Says which files have another unit than mm, where their coordinates become those of a DXF file.
-void tell_units_of_dxf(const std::vector<File_unit>& files);
+/// Says that a unit is none of DXF, which then has none.
+void tell_units_of_dxf(const File_unit& unit);
 
 }  // namespace bounding_arcs_tool
 

@@ -78,6 +78,7 @@ TEST(ReadUnits, OfSvgAreThoseOfItsSizeAndViewBox) {
   EXPECT_DOUBLE_EQ(svg_unit("width='72pt' height='72pt'" + box), 25.4 / 80);
   EXPECT_DOUBLE_EQ(svg_unit("width='6pc' height='6pc'" + box), 25.4 / 80);
   EXPECT_EQ(svg_unit("width='80q' height='80Q'" + box), 0.25);
+  EXPECT_DOUBLE_EQ(svg_unit("width='40px' height='40px'" + box), 25.4 / 192);
   EXPECT_EQ(svg_unit("width='40mm'" + box), 0.5) << "the height is as the viewBox has it";
   EXPECT_EQ(svg_unit("height='40mm' width='100%'" + box), 0.5);
   EXPECT_DOUBLE_EQ(svg_unit("width='40mm' height='40mm'"), 25.4 / 96) << "pixels without a viewBox";
@@ -93,9 +94,9 @@ TEST(ReadUnits, OfSvgFollowItsAspectRatio) {
 
 TEST(ReadUnits, OfSvgAreNoneWithoutAPhysicalSize) {
   const std::string box = " viewBox='0 0 80 80'";
-  for (const char* size : {"", "width='40' height='40'", "width='40px' height='40px'", "width='100%' height='100%'",
-                           "width='4em' height='4ex'", "width='0mm' height='-4mm'", "width='mm' height='4 mm 5'",
-                           "width='4ell'", "width='1e301mm' height='1e301mm' viewBox='0 0 1e-300 1e-300'"}) {
+  for (const char* size : {"", "width='40' height='40'", "width='100%' height='100%'", "width='4em' height='4ex'",
+                           "width='0mm' height='-4mm'", "width='mm' height='4 mm 5'", "width='4ell'",
+                           "width='1e301mm' height='1e301mm' viewBox='0 0 1e-300 1e-300'"}) {
     const std::string text = size;
     EXPECT_EQ(svg_unit(text + (text.find("viewBox") == text.npos ? box : "")), 0) << text;
   }

@@ -121,15 +121,10 @@ expect_silence
 expect_line 'bounding_arcs: open.json: curve "open": expected a closed curve, which has an inside, found an open one'
 run boolean unite a.json
 expect_status 2
-run boolean union a.json --format dxf
-expect_status 2
-expect_line 'bounding_arcs: --eps: expected a tolerance for arcs in DXF, found none'
-run boolean union a.json -o result.dxf
-expect_status 2
-expect_line 'bounding_arcs: --eps: expected a tolerance for arcs in DXF, found none'
 run boolean union a.json --eps 1
 expect_status 2
-expect_line 'bounding_arcs: --format: expected dxf with --eps, which no other form has, found json'
+expect_line 'bounding_arcs: --format: expected dxf, or svg with --plain, with --eps, which no other form has, '\
+'found json'
 run boolean union - -
 expect_status 2
 

@@ -132,5 +132,12 @@ expect_line 'bounding_arcs: two.svg: --layers: expected a file with layers, foun
 run info part.dxf --ids Plate.2  # joined to the first one
 expect_line 'bounding_arcs: part.dxf: --ids: expected names of curves, which the subcommand info lists, found "Plate.2"'
 
+# Layers of Inkscape are layers.
+printf '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">%s</svg>' \
+  '<g inkscape:groupmode="layer" inkscape:label="Cut"><rect id="r" width="4" height="2"/></g><circle r="9"/>' > ink.svg
+run info ink.svg --layers cut --format csv
+expect_status 0
+[ "$(cut -d, -f2,3 "$results/out" | tail -n +2)" = r,Cut ] || fail "$command_line: $(cat "$results/out")"
+
 rm -f ./*
 finish

@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # What drawings have and is not read: told in a line, refused with --strict, read with --hidden and --paper. What closed
-# curves enclose without --rule. Loose lines that are joined, and open curves among closed ones. Units that differ.
+# curves enclose without --rule. Loose lines that are joined, and open curves among closed ones.
 # Usage: test_left_out.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
@@ -407,66 +407,6 @@ run boolean union strokes.svg
 expect_line 'bounding_arcs: strokes.svg: read all the same: 2 open curves: closed by a straight line*'
 run boolean union strokes.svg --join-ends 0
 expect_line 'bounding_arcs: strokes.svg: joined: 2 open curves to 1 closed one'
-
-# Units that are known and differ: nothing is converted, and that is said.
-unit() { printf '0|SECTION|2|HEADER|9|$INSUNITS|70|%s|0|ENDSEC|' "$1" | tr '|' '\n'; }
-{ unit 1; dxf "$(square a 0 1)"; } > inch.dxf
-{ unit 4; dxf "$(square a 0 25.4)"; } > mm.dxf
-{ unit 21; dxf "$(square a 0 1)"; } > survey.dxf
-{ unit 2; dxf "$(square a 0 1)"; } > foot.dxf
-printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 80 80">%s</svg>' \
-  '<rect width="40" height="20"/>' > half.svg
-printf '<svg xmlns="http://www.w3.org/2000/svg" width="%s" viewBox="0 0 1 1">%s</svg>' 25.4000001mm \
-  '<rect width="1" height="1"/>' > inch.svg
-taken='inch.dxf: 1 unit is 25.4 mm, and 1 mm in mm.dxf: coordinates are taken as they are'
-for command in 'boolean difference' 'clip' 'arrange' 'query distance' 'query hausdorff' 'query intersect'; do
-  # shellcheck disable=SC2086
-  run $command mm.dxf inch.dxf --strict
-  expect_status 0
-  expect_line "bounding_arcs: $taken"
-  for same in 'solid.dxf inch.dxf' 'inch.dxf inch.dxf'; do
-    # shellcheck disable=SC2086
-    run $command $same
-    expect_status 0
-    [ -z "$err" ] || fail "$command_line: said $err"
-  done
-done
-run query distance inch.dxf line.json
-[ -z "$err" ] || fail "$command_line: said $err"
-run query distance inch.dxf inch.svg  # up to the digits that files write
-[ -z "$err" ] || fail "$command_line: said $err"
-run query distance foot.dxf survey.dxf
-expect_line 'bounding_arcs: survey.dxf: 1 unit is 304.80061 mm, and 304.8 mm in foot.dxf: coordinates are taken *'
-run boolean union solid.dxf mm.dxf inch.dxf half.svg --rule evenodd
-[ "$(grep -c 'and 1 mm in mm.dxf' "$results/err")" -eq 2 ] || fail "$command_line: said $err"
-run boolean union --stream records.jsonl mm.dxf inch.dxf --rule evenodd
-expect_line "bounding_arcs: $taken"
-{ unit 1; dxf "$(square a 0 1)$line"; } > open.dxf
-run boolean difference mm.dxf open.dxf
-grep -qFx "bounding_arcs: ${taken/inch/open}" "$results/err" || fail "$command_line: said $err"
-input=inch.dxf run query distance mm.dxf -
-expect_line "bounding_arcs: stdin: ${taken#*: }"
-
-# DXF files that are written tell no unit yet.
-written='half.svg: 1 unit is 0.5 mm: coordinates are written as they are'
-run arcs mm.dxf --eps 1 --format dxf
-if [[ $err != *'without dxflib'* ]]; then
-  for command in 'arcs --eps 1' 'offset --distance 1 --eps 0.1' 'boolean union --eps 1'; do
-    # shellcheck disable=SC2086
-    run $command half.svg --format dxf
-    expect_status 0
-    expect_line "bounding_arcs: $written"
-    # shellcheck disable=SC2086
-    run $command mm.dxf --format dxf
-    expect_status 0
-    [ -z "$err" ] || fail "$command_line: said $err"
-  done
-  run arcs mm.dxf half.svg --eps 1 --format dxf
-  grep -qFx "bounding_arcs: $written" "$results/err" || fail "$command_line: said $err"
-  grep -q 'and 1 mm in mm.dxf' "$results/err" || fail "$command_line: said $err"
-fi
-run arcs half.svg --eps 1 --format json
-[ -z "$err" ] || fail "$command_line: said $err"
 
 # What is neither, by its name where it has one.
 other() {

@@ -135,6 +135,8 @@ expect_finite
 expect_line "*sixteen_tips.json: thickness: discs$where; the rest is written"
 grep -q '"status": "unresolved"' "$results/out" || fail "$command_line: no status"
 grep -qE '"thickest": ' "$results/out" || fail "$command_line: the rest is not written"
+run thickness "$shapes" --eps 1e-3 --format svg
+[ "$(grep -c '<circle class="u"' "$results/out")" -eq 5 ] || fail "$command_line: the places are not marked"
 for format in csv svg; do
   run thickness "$shapes" --eps 1e-3 --format $format
   expect_status 1

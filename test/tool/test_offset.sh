@@ -82,7 +82,7 @@ for text in offset_0.1 offset_-0.3 2.1; do
   grep -qx -e "$text" "$results/out" || fail "$command_line: no $text"
 done
 run offset square.json --distance 0.1,-0.3 --eps 0.0123456789 --format svg
-for text in '<title>0.1</title>' '<title>offsets within 0.0123456789: '; do
+for text in '<title>0.1</title>' '<title>offsets within 0.01235: '; do
   grep -qF -e "$text" "$results/out" || fail "$command_line: no $text"
 done
 run offset square.json --distance 0.1,-0.3 --eps 1e-6 --format csv

@@ -302,8 +302,8 @@ not_there() {
   expect_line "bounding_arcs: --output: expected a name in $endings, found \"${*: -1}\""
 }
 not_there '.json, .csv or .svg, or --format' "${build[@]}" "$curve" -o a.dxf
-not_there '.json, .csv or .svg, or --format' thickness "$curve" --eps 1 -o a.dxf
-not_there '.json or .svg, or --format' clip "$curve" "$curve" -o a.csv
+not_there '.json or .svg, or --format' arrange "$curve" -o a.dxf
+not_there '.json, .csv, .svg or .dxf, or --format' clip "$curve" "$curve" -o a.md
 not_there '.html' report "$curve" -o a.json
 not_there '.json with --stream, or no known ending' arcs --eps 1 --stream "$curve" -o a.csv
 not_there '.csv, .json, .svg or .md, or --format' stability -o a.dxf

@@ -78,5 +78,17 @@ says 'grey: the curves<'
 run stability --family random --count 1 --format svg
 says 'sfa, textbook'
 
+# Titles have four digits of a tolerance or distance.
+for command in 'arcs --eps 0.0123456' 'build --method bca --eps 0.0123456' 'offset --distance 0.1 --eps 0.0123456'; do
+  # shellcheck disable=SC2086
+  run $command --format svg bow.json
+  says '0\.01235'
+  says_not '0123456'
+done
+sed 's/\[0,0\]/[0,7]/; s/\[4,0\]/[5,7]/' bow.json > other.json
+run query distance other.json line.json --format svg
+says_not '[0-9]\.[0-9]{4}'
+says 'distance: [0-9]'
+
 rm ./*.json ./*.svg
 finish

@@ -62,6 +62,17 @@ expect_silence
 xmllint --noout thickness.svg 2> /dev/null || ! command -v xmllint > /dev/null || fail 'thickness.svg is no XML'
 grep -q '<title>1 stretch thinner than 1.2, the least 1 thick; 1 neck' thickness.svg || fail 'thickness.svg: no title'
 [ "$(grep -c '<path class="t"' thickness.svg)" -eq 1 ] || fail 'thickness.svg: not one stretch'
+# a scale of colours from 0 to the widest disc, and a mark at the limit
+labels() { grep -o '<text class="k"[^<]*' "$1" | sed 's/.*>//' | paste -sd' '; }
+widest=$(grep -o 'disc is [0-9.]*' thickness.svg | head -1 | cut -d' ' -f3)
+[[ $(labels thickness.svg) == "0 "*" $widest thickness, red where it is below the limit" ]] ||
+  fail "thickness.svg: the scale says $(labels thickness.svg), and the widest disc is $widest"
+[ "$(grep -c '<path class="l"' thickness.svg)" -eq 1 ] || fail 'thickness.svg: no mark at the limit'
+run thickness hourglass.svg --eps 1e-3 --below 100 --format svg -o thickness.svg
+! grep -q '<path class="l"' thickness.svg || fail 'thickness.svg: a mark beside the scale'
+run thickness hourglass.svg --eps 1e-3 --format svg -o thickness.svg
+[[ $(labels thickness.svg) == "0 "*" $widest thickness" ]] ||
+  fail "thickness.svg: the scale says $(labels thickness.svg)"
 rm thickness.svg
 
 # A bar is thin everywhere, and as thick as the limit it is not.

@@ -78,7 +78,7 @@ refuses '--rule: expected together with --signed, found without' query closest "
 refuses '--costs: expected without --verdicts, found with it' stability --costs --verdicts
 refuses '--format: expected json with --stream, found csv' arcs "$curve" --eps 1 --stream --format csv
 refuses 'FILES: expected one file, or -, with --stream, found 2' arcs "$curve" "$curve" --eps 1 --stream
-refuses '--format: expected table, json, csv, svg or dxf, found "dwg"' arcs "$curve" --eps 1 --format dwg
+refuses '--format: expected table, json, csv, svg, dxf or gcode, found "dwg"' arcs "$curve" --eps 1 --format dwg
 refuses '--repeat: expected a whole number from 1 to 1000000, found "1.5"' compare --repeat 1.5 "$curve"
 refuses '-: expected one input from standard input, found 2' arrange - -
 refuses '-: expected one input from standard input, found 3' arcs - - - --eps 1

@@ -7,6 +7,7 @@
 #include "arrange_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../boolean/path_pieces.h"
 #include "../option_words.h"
@@ -49,12 +50,11 @@ struct Arranged {
 Arranged arranged(const Arrange_words& words) {
   Arranged made;
   Box box;
-  std::vector<File_unit> units;
+  Reading_words reading = words.reading;
   for (const std::string& file : words.files) {
-    made.files.push_back(load_drawing(file, "filtered", words.reading));
-    units.push_back(made.files.back().unit());
+    made.files.push_back(load_drawing(file, "filtered", reading));
+    reading.keep_unit(made.files.back().unit());
   }
-  tell_units(units);
   std::vector<const Bounding_arc_tree_2*> trees;
   for (const Query_drawing& file : made.files) {
     const Bounding_arc_tree_2& curves = *file.curves;
@@ -64,6 +64,7 @@ Arranged arranged(const Arrange_words& words) {
   }
   ba::Overlay_options options;
   options.at_joints = true;
+  const Elapsed_line elapsed("arranging");
   made.cells = ba::overlay(trees, options);
   made.degrees.resize(made.cells.vertices.size(), 0);
   for (const ba::Overlay_edge& e : made.cells.edges)

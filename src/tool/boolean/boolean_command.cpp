@@ -7,27 +7,28 @@
 #include "boolean_command.h"
 
 #include "path_pieces.h"
+#include "written_path.h"
 
 #include "../../input/Input_text.h"
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 #include "../usage.h"
+#include "../written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -63,12 +64,6 @@ struct Combined {
   ba::Drawn_outline drawn;
 };
 
-std::vector<File_unit> units_of(const std::vector<Operand>& operands) {
-  std::vector<File_unit> units;
-  for (const Operand& d : operands) units.push_back(d->unit());
-  return units;
-}
-
 Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   Combined made;
   made.operands = std::move(given);
@@ -80,6 +75,8 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
     drawings.push_back(&d->curves->drawing());
     rules.push_back(d->rule);
   }
+  std::optional<Elapsed_line> elapsed;
+  if (!words.stream.is_on) elapsed.emplace(words.operation);
   const ba::Outline_2 outline =
       ba::boolean_operation(trees, OPERATIONS.at(words.operation), ba::Fill_rules(std::move(rules)));
   if (outline.status == ba::Outline_status::UNDECIDED)
@@ -161,22 +158,22 @@ void draw(std::ostream& out, const Combined& made, const std::string& operation)
   out << "\"/>\n</g>\n</svg>\n";
 }
 
-// Arcs within eps of the outline.
-void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities entities) {
-  bool flips = true;
-  for (const Operand& operand : made.operands) flips = flips && operand->flips;
-  std::vector<Dxf_chain> chains;
-  for (const auto& curve : made.drawn.drawing.curves()) {
-    ba::Drawing_2<double> one;
-    one.add(curve.beziers, curve.name);
-    const auto chain = ba::arc_chain(ba::Bounding_arc_tree_2(std::move(one)), eps);
-    if (chain.status != ba::Build_status::COMPLETE)
-      throw Input_error(made.operands.front()->file, "curve \"" + curve.name + "\"",
-                        below_resolution(eps, chain.error));
-    chains.push_back({curve.name, {}});
-    for (const auto& arc : chain.arcs) chains.back().pieces.push_back(arc);
+// A chain has the name and the look of the curve of its first part.
+Written_drawing written(const Combined& made, const Boolean_words& words) {
+  Written_drawing drawing;
+  drawing.y_is_down = std::any_of(made.operands.begin(), made.operands.end(), [](const auto& d) { return !d->flips; });
+  for (const Operand& operand : made.operands) {
+    if (!drawing.page) drawing.page = operand->page;
+    if (drawing.unit_in_mm == 0) drawing.unit_in_mm = operand->unit_in_mm;
   }
-  write_dxf(out, chains, !flips, entities);
+  for (std::size_t i = 0; i < made.drawn.outline.chains.size(); ++i) {
+    const ba::Outline_part& part = made.drawn.outline.chains[i].parts.front();
+    const Query_drawing& from = *made.operands[part.operand];
+    drawing.curves.push_back(written_path(from.file, from.curves->drawing().curves()[part.curve].name,
+                                          from.look_of(part.curve), made.drawn.drawing.curves()[i].beziers,
+                                          words.path));
+  }
+  return drawing;
 }
 
 }  // namespace
@@ -200,11 +197,8 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
                    "numbers define, every decision right")
       ->check(one_of({"double", "filtered", "exact"}))
       ->capture_default_str();
-  add_output(*command, {"json", "svg", "dxf"}, words.format, words.output, "; dxf has arcs within --eps");
-  command
-      ->add_option("--eps", words.eps, "How far arcs of a DXF file may be from the curves, in units of the coordinates")
-      ->check(CLI::Validator(check_tolerance, "", "eps"))
-      ->type_name("NUMBER");
+  add_output(*command, {"json", "svg", "dxf"}, words.format, words.output, "; dxf has splines, or arcs within --eps");
+  add_path_options(*command, words.path);
   add_dxf_entities(*command, words.dxf);
   add_stream_options(*command, words.stream, words.format);
   command->footer(
@@ -220,7 +214,9 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
       "Examples:\n"
       "  bounding_arcs boolean union a.json b.json -o both.json\n"
       "  bounding_arcs boolean difference plate.svg holes.svg --format svg -o plate_with_holes.svg\n"
+      "  bounding_arcs boolean union drawing.svg logo.svg --plain -o both.svg\n"
       "  bounding_arcs boolean union drawing.svg | bounding_arcs offset - --distance -1 --eps 0.01\n"
+      "  bounding_arcs boolean intersection a.dxf b.dxf -o common.dxf\n"
       "  bounding_arcs boolean intersection a.json b.json --format dxf --eps 1e-4 -o common.dxf\n"
       "  bounding_arcs boolean difference --stream --jobs 8 glyphs.jsonl stencil.json -o cut.jsonl\n");
   return command;
@@ -228,13 +224,13 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
 
 int run_boolean(const Boolean_words& words) {
   check_inputs(words.files);
-  if (words.format == "dxf" && words.eps.empty()) throw Usage_error("--eps", "a tolerance for arcs in DXF", "none");
-  if (words.format != "dxf" && !words.eps.empty())
-    throw Usage_error("--format", "dxf with --eps, which no other form has", words.format);
+  check_path_words(words.path, words.format);
   std::vector<Operand> others;
-  for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i)
-    others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, words.reading)));
-  tell_units(units_of(others));
+  Reading_words reading = words.reading;
+  for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i) {
+    others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, reading)));
+    reading.keep_unit(others.back()->unit());
+  }
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       std::vector<Operand> all{operand(record_drawing(records, words.kernel, words.reading))};
@@ -244,12 +240,13 @@ int run_boolean(const Boolean_words& words) {
     };
     return run_stream(words.stream, words.files.front(), words.output, answer);
   }
-  if (words.format == "dxf") tell_units_of_dxf(units_of(others));
+  if (words.format == "dxf") tell_units_of_dxf(reading.unit);
   const Combined made = combined(words, std::move(others));
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made, words.operation);
-  else if (words.format == "svg") draw(output.stream(), made, words.operation);
-  else write_dxf(output.stream(), made, std::strtod(words.eps.c_str(), nullptr), dxf_entities(words.dxf));
+  else if (words.format == "dxf") write_dxf(output.stream(), written(made, words), dxf_entities(words.dxf));
+  else if (words.path.is_plain) write_plain_svg(output.stream(), written(made, words));
+  else draw(output.stream(), made, words.operation);
   output.commit();
   return 0;
 }

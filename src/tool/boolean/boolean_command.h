@@ -9,6 +9,7 @@
 
 #include "../reading.h"
 #include "../stream/record_stream.h"
+#include "written_path.h"
 
 #include <string>
 #include <vector>
@@ -20,10 +21,11 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Boolean_words {
-  std::string operation, kernel = "filtered", format = "json", output, eps, dxf = "polylines";
+  std::string operation, kernel = "filtered", format = "json", output, dxf = "polylines";
   std::vector<std::string> files;
   Stream_options stream{false, 1, true};
   Reading_words reading;
+  Path_words path;
 };
 
 /// Adds the subcommand to the command line.

@@ -9,11 +9,13 @@
 #include "path_pieces.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 #include "../usage.h"
+#include "../written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/clip.h>
 
@@ -64,10 +66,12 @@ void join_ends(std::vector<Clipped_path>& paths) {
 }
 
 Clipped clipped(const Clip_words& words) {
-  Clipped made{load_drawing(words.file, words.kernel, words.reading),
-               load_closed_drawing(words.region, words.kernel, words.reading),
-               {}};
-  tell_units({made.curves.unit(), made.region.unit()});
+  Reading_words reading = words.reading;
+  Clipped made;
+  made.curves = load_drawing(words.file, words.kernel, reading);
+  reading.keep_unit(made.curves.unit());
+  made.region = load_closed_drawing(words.region, words.kernel, reading);
+  const Elapsed_line elapsed("clipping");
   const ba::Clipped_2 found = ba::clip(*made.curves.curves, *made.region.curves, made.region.rule);
   if (found.status == ba::Outline_status::UNDECIDED)
     throw Input_error(
@@ -102,6 +106,29 @@ void write_json(std::ostream& out, const Clipped& made, const std::string& side)
     between_paths = ",\n";
   }
   out << "]}\n";
+}
+
+void write_csv(std::ostream& out, const Clipped& made) {
+  out << "path,curve,name,bezier,t,t_end,x_from,y_from,x_to,y_to\n";
+  for (std::size_t i = 0; i < made.paths.size(); ++i)
+    for (const ba::Clipped_part& part : made.paths[i].parts) {
+      const auto& curve = made.curves.curves->drawing().curves()[part.curve];
+      out << i << ',' << part.curve << ',' << csv_field(curve.name) << ',' << part.bezier;
+      for (const ba::Bracket& t : {part.from, part.to}) out << ',' << number(t.lower + (t.upper - t.lower) / 2);
+      for (const Xy<double>& p : {part.start, part.end}) out << ',' << number(p.x) << ',' << number(p.y);
+      out << '\n';
+    }
+}
+
+Written_drawing written(const Clipped& made, const Path_words& words) {
+  Written_drawing drawing{!(made.curves.flips && made.region.flips), made.curves.unit_in_mm, made.curves.page};
+  if (drawing.unit_in_mm == 0) drawing.unit_in_mm = made.region.unit_in_mm;
+  for (const Clipped_path& path : made.paths) {
+    const std::size_t curve = path.parts.front().curve;
+    drawing.curves.push_back(written_path(made.curves.file, made.curves.curves->drawing().curves()[curve].name,
+                                          made.curves.look_of(curve), path.pieces, words));
+  }
+  return drawing;
 }
 
 void draw(std::ostream& out, const Clipped& made, const std::string& side) {
@@ -157,20 +184,30 @@ CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
                    "numbers define, every decision right")
       ->check(one_of({"double", "filtered", "exact"}))
       ->capture_default_str();
-  add_output(*command, {"json", "svg"}, words.format, words.output);
+  add_output(*command, {"json", "csv", "svg", "dxf"}, words.format, words.output,
+             "; dxf has splines, or arcs within --eps");
+  add_path_options(*command, words.path);
+  add_dxf_entities(*command, words.dxf);
   command->footer(
       "Parts that follow each other on a curve are one path. JSON output can be read as a curve file.\n"
       "Examples:\n"
       "  bounding_arcs clip hatching.svg region.svg -o strokes.json\n"
-      "  bounding_arcs clip roads.json lake.json --keep outside --format svg -o dry.svg\n");
+      "  bounding_arcs clip roads.json lake.json --keep outside --format svg -o dry.svg\n"
+      "  bounding_arcs clip hatching.svg region.svg --plain -o strokes.svg\n"
+      "  bounding_arcs clip roads.dxf lake.dxf --keep outside -o dry.dxf\n");
   return command;
 }
 
 int run_clip(const Clip_words& words) {
   check_inputs({words.file, words.region});
+  check_path_words(words.path, words.format);
   const Clipped made = clipped(words);
+  if (words.format == "dxf") tell_units_of_dxf(made.curves.unit_in_mm > 0 ? made.curves.unit() : made.region.unit());
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made, words.keep);
+  else if (words.format == "csv") write_csv(output.stream(), made);
+  else if (words.format == "dxf") write_dxf(output.stream(), written(made, words.path), dxf_entities(words.dxf));
+  else if (words.path.is_plain) write_plain_svg(output.stream(), written(made, words.path));
   else draw(output.stream(), made, words.keep);
   output.commit();
   return 0;

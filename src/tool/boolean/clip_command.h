@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_BOOLEAN_CLIP_COMMAND_H
 
 #include "../reading.h"
+#include "written_path.h"
 
 #include <string>
 
@@ -18,8 +19,9 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Clip_words {
-  std::string file, region, keep = "inside", kernel = "filtered", format = "json", output;
+  std::string file, region, keep = "inside", kernel = "filtered", format = "json", output, dxf = "polylines";
   Reading_words reading;
+  Path_words path;
 };
 
 /// Adds the subcommand to the command line.

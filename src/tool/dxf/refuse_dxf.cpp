@@ -10,7 +10,7 @@
 
 namespace bounding_arcs_tool {
 
-void write_dxf(std::ostream&, const std::vector<Dxf_chain>&, bool, Dxf_entities) {
+void write_dxf(std::ostream&, const Written_drawing&, Dxf_entities) {
   throw std::runtime_error("--format: expected a form without DXF, as the tool was built without dxflib, found dxf");
 }
 

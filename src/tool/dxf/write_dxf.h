@@ -2,35 +2,29 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Chains of arcs as a DXF drawing.
+// Drawings as DXF files.
 
 #ifndef BOUNDING_ARCS_TOOL_WRITE_DXF_H
 #define BOUNDING_ARCS_TOOL_WRITE_DXF_H
 
-#include "../Hierarchy.h"
+#include "../written/Written_drawing.h"
 
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace bounding_arcs_tool {
 
-/// What goes on one layer.
-struct Dxf_chain {
-  std::string layer;          ///< any text: what DXF allows in no name becomes _
-  std::vector<Arc_2> pieces;  ///< where one does not start at the end of the one before, a polyline begins
-};
-
-/// What chains become: one LWPOLYLINE with bulges each, whose ends and bulges read back as the same doubles; or an ARC
-/// or LINE for each piece. A chain of two half circles that meet at both ends becomes a CIRCLE.
+/// What arcs and segments that follow each other become: one LWPOLYLINE with bulges, whose ends and bulges read back as
+/// the same doubles; or an ARC or LINE each. Two half circles that meet at both ends become a CIRCLE.
 enum class Dxf_entities { POLYLINES, ARCS };
 
-/// DXF 2000; numbers read back as the same doubles.
-/// \param y_is_down coordinates are a drawing's, with y downwards: DXF has it upwards, so y changes its sign
+/// DXF 2000; numbers read back as the same doubles. Bezier curves of one degree that follow each other become a SPLINE.
+/// A curve with a height for each vertex becomes one 3D POLYLINE.
+/// A curve without a layer is on one of its name. Layers have the colour of their first curve, and curves with another
+/// one their own; what has none is black or white, whichever is seen. A layer's name is any text: what DXF allows in no
+/// name becomes _. y of a drawing with y downwards changes its sign.
 /// \guarantee the ends of an ARC, by its center, radius and angles, are within 2^-30 of the chord's length of the
 ///   piece's; where doubles do not tell a flat arc's ends as exactly, it becomes an LWPOLYLINE of one bulge
-void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_is_down,
-               Dxf_entities entities = Dxf_entities::POLYLINES);
+void write_dxf(std::ostream& out, const Written_drawing& drawing, Dxf_entities entities = Dxf_entities::POLYLINES);
 
 }  // namespace bounding_arcs_tool
 

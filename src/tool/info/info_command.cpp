@@ -79,6 +79,7 @@ std::vector<std::string> remarks(const Info& info) {
   const auto add = [&](const std::string& line) {
     if (!line.empty()) lines.push_back(line);
   };
+  add(info.read.converted);
   add(text_of(info.read.file.notes));
   add(info.read.joined);
   add(info.read.skipped);

@@ -7,6 +7,7 @@
 #include "found_axis.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../number_text.h"
 #include "../reading.h"
 
@@ -103,6 +104,11 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
   if (words.with_conics) found.conics = ba::axis_conics(curves, axis, axis.eps);
   return found;
+}
+
+Found_axis shown_axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
+  const Elapsed_line elapsed("finding the axis");
+  return axis_of(loaded, words);
 }
 
 }  // namespace bounding_arcs_tool

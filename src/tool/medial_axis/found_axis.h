@@ -43,6 +43,8 @@ void expect_no_crossing(const Query_drawing& loaded, const char* command);
 /// It may be UNRESOLVED where part of it is there, and is neither pruned nor proven nor has cells.
 /// \param loaded with a frame where it is asked for (with_frame). \throws Input_error
 [[nodiscard]] Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words);
+/// Shows how long it takes besides.
+[[nodiscard]] Found_axis shown_axis_of(const Query_drawing& loaded, const Medial_axis_words& words);
 
 }  // namespace bounding_arcs_tool
 

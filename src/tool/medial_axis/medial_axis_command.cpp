@@ -9,12 +9,18 @@
 
 #include "axis_cells.h"
 #include "found_axis.h"
+#include "write_axis.h"
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../dxf/write_dxf.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../toolpath/v_carving.h"
+#include "../toolpath/write_carving.h"
+#include "../usage.h"
+#include "../written/write_plain_svg.h"
 
 #include <CLI/CLI.hpp>
 
@@ -229,7 +235,15 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->add_option("--v-bit", words.v_bit,
                    "Write z of each sample, too: how deep a conical bit with that angle at its tip goes, in degrees")
       ->check(number_in(1, 179));
-  add_output(*command, {"json", "svg"}, words.format, words.output);
+  command
+      ->add_option("--max-depth", words.max_depth,
+                   "How deep the bit may go, in units of the coordinates, for dxf, csv and gcode: what is wider has a\n"
+                   "flat bottom there, whose outline is written as a pocket")
+      ->check(CLI::Validator(check_tolerance, "", "depth"))
+      ->type_name("NUMBER");
+  add_output(*command, {"json", "csv", "svg", "dxf", "gcode"}, words.format, words.output);
+  add_plain(*command, words.is_plain);
+  add_gcode_options(*command, words.gcode, false);
   add_stream_options(*command, words.stream, words.format);
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
@@ -264,6 +278,9 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "A curve whose sides the rule fills both bounds nothing: \"left_out\" has its number among the curves.\n"
       "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
       "(V-carving).\n"
+      "G-code, and CSV and DXF with --v-bit, have the axis as few long paths with z: part by part, each from its\n"
+      "longest branch on, then what starts nearest to the bit. Behind them come pockets, the outlines of what is flat\n"
+      "at --max-depth, islands first, inside out: what they enclose is left to be cleared. Depths are within eps.\n"
       "Where discs cannot be told apart a part of the axis is left out: \"status\" is then \"unresolved\", "
       "\"unresolved\"\n"
       "tells the places, pictures have circles there, and the exit status is 1.\n"
@@ -271,7 +288,9 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --cells --format svg -o voronoi.svg\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
+      "  bounding_arcs medial-axis part.dxf --eps 0.01 --conics -o axis.dxf\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 -o carving.json\n"
+      "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 --feed 600 -o carving.nc\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
 }
@@ -307,7 +326,61 @@ void give_margins(std::vector<std::string>& words) {
     if (words[i] == "--frame" && !is_number(words[i + 1])) words[i] = "--frame=0";
 }
 
+namespace {
+
+// Refuses words that do not go with paths of a tool, or with other forms.
+void check_carving(const Medial_axis_words& words, bool is_carving) {
+  if (words.max_depth > 0 && words.v_bit == 0) throw Usage_error("--max-depth", "--v-bit beside it", "none");
+  if (words.max_depth > 0 && !is_carving)
+    throw Usage_error("--format", "dxf, csv or gcode with --max-depth", words.format);
+  if (words.max_depth > 0 && words.is_framed) throw Usage_error("--max-depth", "no frame beside it", "--frame");
+  if (words.format != "gcode") return;
+  if (words.v_bit == 0) throw Usage_error("--v-bit", "an angle with --format gcode", "none");
+  check_gcode_words(words.gcode);
+}
+
+// Radii are so much more exact that depths are within eps.
+Medial_axis_words with_eps_of_radii(const Medial_axis_words& words, const V_bit& bit) {
+  Medial_axis_words result = words;
+  const double eps = std::strtod(words.eps.c_str(), nullptr), finer = eps / (std::max)(1.0, bit.depth);
+  result.eps = number(finer);
+  if (finer >= bit.largest())
+    throw Usage_error("--eps", "less than the bit is wide at --max-depth, " + number(2 * bit.largest()), number(eps));
+  return result;
+}
+
+void write_carving(const Medial_axis_words& words, std::ostream& out, const V_carving& carving,
+                   const Query_drawing& loaded) {
+  if (words.format == "csv") write_carving_csv(out, carving);
+  else if (words.format == "dxf") write_dxf(out, written_carving(carving, !loaded.flips, loaded.unit_in_mm));
+  else write_carving_gcode(out, loaded.file, carving, gcode_setup(words.gcode, loaded.unit(), !loaded.flips));
+}
+
+int run_carving(const Medial_axis_words& words) {
+  const V_bit bit = v_bit(words.v_bit, words.max_depth);
+  const Medial_axis_words finer = with_eps_of_radii(words, bit);
+  const Query_drawing loaded = load_axis_drawing(finer);
+  if (words.format == "dxf") tell_units_of_dxf(loaded.unit());
+  const Found_axis axis = shown_axis_of(loaded, finer);
+  const V_carving carving = v_carving(*loaded.curves, axis.axis, bit, loaded.file);
+  Output_file output(words.output);
+  write_carving(words, output.stream(), carving, loaded);
+  output.commit();
+  if (!carving.pockets.empty())
+    tell(loaded.file, count_text(carving.pockets.size(), "outline") + " of flat bottoms at the depth " +
+                          number(words.max_depth) + ", the inset at " + short_number(bit.largest()) +
+                          ": what they enclose is left to be cleared");
+  return tell_of_axis(loaded, axis, "medial-axis");
+}
+
+}  // namespace
+
 int run_medial_axis(const Medial_axis_words& words) {
+  const bool is_table_or_dxf = words.format == "csv" || words.format == "dxf";
+  const bool is_carving = words.format == "gcode" || (is_table_or_dxf && words.v_bit > 0);
+  check_carving(words, is_carving);
+  check_plain(words.is_plain, words.format);
+  if (is_carving) return run_carving(words);
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       const Query_drawing loaded = with_frame(record_drawing(records, "double", words.reading), words);
@@ -316,9 +389,13 @@ int run_medial_axis(const Medial_axis_words& words) {
     return run_stream(words.stream, words.file, words.output, answer);
   }
   const Query_drawing loaded = load_axis_drawing(words);
-  const Found_axis axis = axis_of(loaded, words);
+  const Found_axis axis = shown_axis_of(loaded, words);
+  if (words.format == "dxf") tell_units_of_dxf(loaded.unit());
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), axis, loaded, words);
+  else if (words.format == "csv") write_axis_csv(output.stream(), axis, loaded);
+  else if (words.format == "dxf") write_dxf(output.stream(), written_axis(axis, loaded, false));
+  else if (words.is_plain) write_plain_svg(output.stream(), written_axis(axis, loaded, true));
   else draw(output.stream(), axis, loaded, words);
   output.commit();
   return tell_of_axis(loaded, axis, "medial-axis");

@@ -10,6 +10,7 @@
 #include "../query/query_command.h"
 #include "../reading.h"
 #include "../stream/record_stream.h"
+#include "../toolpath/gcode_options.h"
 
 #include <string>
 #include <vector>
@@ -23,11 +24,14 @@ namespace bounding_arcs_tool {
 struct Medial_axis_words {
   std::string file, eps, format = "json", output;
   double prune = 0, prune_angle = 0;
-  double v_bit = 0;   ///< the angle of a conical bit, in degrees; 0 for none
-  double margin = 0;  ///< of the frame; 0 for a default
+  double v_bit = 0;      ///< the angle of a conical bit, in degrees; 0 for none
+  double max_depth = 0;  ///< of the bit; 0 for any
+  double margin = 0;     ///< of the frame; 0 for a default
   bool is_framed = false;
   bool with_discs = false, with_feet = false, with_cells = false, with_conics = false;
+  bool is_plain = false;
   bool is_proving = false;  ///< edges have proven bounds
+  Gcode_words gcode;
   Stream_options stream;
   Reading_words reading;
 };

@@ -8,6 +8,7 @@
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../dxf/write_dxf.h"
 #include "../number_text.h"
 #include "../option_words.h"
 #include "write_thickness.h"
@@ -75,7 +76,7 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
   add_frame_option(*command, axis);
   add_rule(*command, axis.reading.rule);
   add_reading_options(*command, axis.reading);
-  add_output(*command, {"json", "csv", "svg"}, axis.format, axis.output);
+  add_output(*command, {"json", "csv", "svg", "dxf"}, axis.format, axis.output);
   command->footer(
       "The local thickness at a point is the diameter of the largest disc inside that covers it. A stretch is a way\n"
       "along the medial axis on which discs are thinner than --below. It ends where the shape is as thick as that, or\n"
@@ -95,11 +96,13 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
 
 int run_thickness(const Thickness_words& words) {
   const Query_drawing loaded = load_axis_drawing(words.axis);
-  const Found_axis axis = axis_of(loaded, words.axis);
+  const Found_axis axis = shown_axis_of(loaded, words.axis);
   const Found_thickness found = thickness_of(axis, loaded, words);
+  if (words.axis.format == "dxf") tell_units_of_dxf(loaded.unit());
   Output_file output(words.axis.output);
   if (words.axis.format == "svg") draw_thickness(output.stream(), found);
   else if (words.axis.format == "json") write_thickness_json(output.stream(), found);
+  else if (words.axis.format == "dxf") write_dxf(output.stream(), written_thickness(found));
   else write_thickness_csv(output.stream(), found);
   output.commit();
   const int status = tell_of_axis(loaded, axis, "thickness");

@@ -7,6 +7,7 @@
 #include "verify_axis_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../option_words.h"
 #include "found_axis.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -111,7 +113,9 @@ int run_verify_axis(const Verify_axis_words& words) {
   options.is_framed = written.is_framed;
   options.bounds = written.bounds;
   number_as_in(drawing, written.axis);
+  std::optional<Elapsed_line> elapsed("checking the axis");
   const ba::Axis_verification result = ba::verify_axis(drawing.curves->drawing(), written.axis, options);
+  elapsed.reset();
   Output_file output(words.axis.output);
   if (words.axis.format == "json") write_checked_json(output.stream(), result);
   else write_checked_table(output.stream(), result);

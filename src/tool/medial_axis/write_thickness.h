@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_WRITE_THICKNESS_H
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_WRITE_THICKNESS_H
 
+#include "../written/Written_drawing.h"
 #include "found_axis.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
@@ -31,12 +32,17 @@ struct Found_thickness {
   [[nodiscard]] bool has_limit() const { return std::isfinite(below); }
 };
 
+/// The point that is at a place.
+[[nodiscard]] Xy<double> point_of(const Found_thickness& found, const Curve_place& place);
 /// Whether a neck is a place of a stretch.
 [[nodiscard]] bool is_on(const ba::Neck& neck, const ba::Thin_stretch& stretch);
 
 void write_thickness_json(std::ostream& out, const Found_thickness& found);
 /// A line a stretch where there is a limit, else one a neck.
 void write_thickness_csv(std::ostream& out, const Found_thickness& found);
+/// Stretches on the layer "thin", one that is a single disc from one side to the other, and necks so on "necks".
+[[nodiscard]] Written_drawing written_thickness(const Found_thickness& found);
+/// Each point of the shape in the colour of its thickness, with a scale below; places that were left open in circles.
 void draw_thickness(std::ostream& out, const Found_thickness& found);
 
 }  // namespace bounding_arcs_tool

@@ -7,13 +7,16 @@
 #include "offset_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
 #include "../loose_ends.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../toolpath/order_passes.h"
 #include "../usage.h"
+#include "../written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
@@ -23,6 +26,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
@@ -146,7 +150,7 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
     return std::any_of(offsets.begin(), offsets.end(),
                        [&](const ba::Offset& o) { return (o.distance < 0) == shrunk && !o.chains.empty(); });
   };
-  const std::string eps_text = number(eps);
+  const std::string eps_text = short_number(eps);
   char text[700];
   std::snprintf(
       text, sizeof text,
@@ -169,8 +173,8 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
     out << "\"/></g>\n";
   }
   for (const ba::Offset& offset : offsets) {
-    out << "<g><title>" << number(offset.distance) << "</title>\n<path class=\"" << (offset.distance < 0 ? 'i' : 'o')
-        << "\" d=\"";
+    out << "<g><title>" << short_number(offset.distance) << "</title>\n<path class=\""
+        << (offset.distance < 0 ? 'i' : 'o') << "\" d=\"";
     for (const ba::Offset_chain& chain : offset.chains) {
       out << "M" << sheet.view(chain.pieces.front().arc.from);
       for (const ba::Offset_piece& p : chain.pieces) out << step(sheet.view, p.arc, true);
@@ -181,15 +185,15 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
   out << "</svg>\n";
 }
 
-// A layer a distance.
-void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool flips, Dxf_entities entities) {
-  std::vector<Dxf_chain> chains;
+// A pass a chain.
+std::vector<Tool_pass> tool_passes(const std::vector<ba::Offset>& offsets, double depth) {
+  std::vector<Tool_pass> passes;
   for (const ba::Offset& offset : offsets)
     for (const ba::Offset_chain& chain : offset.chains) {
-      chains.push_back({"offset_" + number(offset.distance), {}});
-      for (const ba::Offset_piece& piece : chain.pieces) chains.back().pieces.push_back(piece.arc);
+      passes.push_back({"offset " + number(offset.distance), {}, -depth});
+      for (const ba::Offset_piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
     }
-  write_dxf(out, chains, !flips, entities);
+  return inside_out(passes);
 }
 
 ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std::string& file) {
@@ -219,14 +223,33 @@ struct Offset_input {
   ba::Fill_rule rule = ba::Fill_rule::NONZERO;
   bool flips = true;  // y of the plane is upwards
   double unit_in_mm = 0;
+  std::optional<ba::Page> page = {};
+  std::vector<Curve_look> looks = {};  // of each curve
 };
 Offset_input offset_input(const Offset_words& words) {
   const ba::Curve_file read = read_told(words.file, words.reading);
   Offset_input input{name_of_file(words.file), ba::drawing<double>(read.curves),
                      fill_rule(words.reading.rule, read.rule)};
-  for (const Curve_record& record : read.curves) input.flips = input.flips && !record.y_is_down;
+  for (const Curve_record& record : read.curves) {
+    input.flips = input.flips && !record.y_is_down;
+    input.looks.push_back(look_of(record));
+  }
   input.unit_in_mm = read.unit_in_mm;
+  input.page = read.page;
   return input;
+}
+
+// A layer a distance; a chain has the name and the colour of the curve that its first piece is an offset of.
+Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_input& input) {
+  Written_drawing drawing{!input.flips, input.unit_in_mm, input.page};
+  for (const ba::Offset& offset : offsets)
+    for (const ba::Offset_chain& chain : offset.chains) {
+      const std::size_t source = chain.pieces.front().source.curve;
+      drawing.curves.push_back(
+          {input.drawing.curves()[source].name, {"offset_" + number(offset.distance), input.looks[source].colour}, {}});
+      for (const ba::Offset_piece& piece : chain.pieces) drawing.curves.back().pieces.push_back(piece.arc);
+    }
+  return drawing;
 }
 
 // Ends that meet are those of an outline, as a rule, which is not what is offset.
@@ -250,20 +273,26 @@ ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<d
   }
 }
 
-// \param line nothing for records of a stream, which show no progress
+// \param is_stream a record of one shows no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string& file,
-                                   const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, Progress_line* line) {
+                                   const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, bool is_stream) {
   const double eps = eps_of(words);
   ba::Offset_options options = options_of(words);
   options.rule = rule;
+  std::optional<Elapsed_line> elapsed;
+  const auto show = [&](const std::string& what) {
+    if (!is_stream) elapsed.emplace(what);
+  };
+  show("preparing offsets");
   const ba::Offset_source_2 source = served_source(file, drawing, eps, options);
+  elapsed.reset();
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   const bool is_inwards = std::any_of(distances.begin(), distances.end(), [](double d) { return d < 0; });
-  if (is_inwards && options.side == ba::Offset_side::BOTH && line != nullptr)
+  if (is_inwards && options.side == ba::Offset_side::BOTH && !is_stream)
     tell_left_out(file, "offset", source.left_out().size(), rule);
   for (const double d : distances) {
-    if (line != nullptr) (*line)(offsets.size(), distances.size());
+    show("offset " + std::to_string(offsets.size() + 1) + " of " + std::to_string(distances.size()));
     offsets.push_back(offset_at(source, d, eps, file));
   }
   return offsets;
@@ -305,8 +334,10 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       ->capture_default_str();
   add_rule(*offset, words.reading.rule);
   add_reading_options(*offset, words.reading);
-  add_output(*offset, {"json", "csv", "svg", "dxf"}, words.format, words.output);
+  add_output(*offset, {"json", "csv", "svg", "dxf", "gcode"}, words.format, words.output);
+  add_plain(*offset, words.is_plain);
   add_dxf_entities(*offset, words.dxf);
+  add_gcode_options(*offset, words.gcode, true);
   add_stream_options(*offset, words.stream, words.format);
   offset->footer(
       "The result is chains of arcs and segments. Closed ones run counterclockwise around what they enclose and\n"
@@ -315,9 +346,14 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       "but\n"
       "arcs are at most half circles; a circle is two, and a CIRCLE in DXF. All points of round pieces are within eps\n"
       "of the distance from the curves, which is certified. What vanishes leaves no chain.\n"
+      "G-code has a pass a chain, islands first, inside out: each chain comes before what is around it. Of those that\n"
+      "may come next it is the one that starts nearest to the tool. Lines stand for arcs that rounding would break.\n"
       "Examples:\n"
       "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
       "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"
+      "  bounding_arcs offset part.dxf --units mm --distance -1 --eps 0.01 -o inset.dxf\n"
+      "  bounding_arcs offset drawing.svg --distance -1 --eps 0.01 --plain -o inset.svg\n"
+      "  bounding_arcs offset part.dxf --distance -1.5,-2.5,-3.5 --eps 0.01 --feed 600 --depth 2 -o pocket.nc\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --cap square --join miter -o outline.json\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n"
       "  bounding_arcs offset --distance 2 --eps 1e-3 --stream - < records.jsonl > results.jsonl\n");
@@ -327,9 +363,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
   tell_loose_ends(loaded.file, loaded.curves->drawing());
-  Progress_line progress("offsets");
-  const std::vector<ba::Offset> offsets =
-      offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, &progress);
+  const std::vector<ba::Offset> offsets = offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, false);
   for (const ba::Offset& offset : offsets) {
     outlines.push_back({offset.distance, {}});
     for (const ba::Offset_chain& chain : offset.chains) {
@@ -342,28 +376,31 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
 
 int run_offset(const Offset_words& words) {
   check_eps(words);
+  check_plain(words.is_plain, words.format);
+  const bool is_gcode = words.format == "gcode";
+  if (is_gcode) check_gcode_words(words.gcode);
   const double eps = eps_of(words);
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       const ba::Drawing_2<double> drawing = ba::drawing<double>(records);
       const ba::Fill_rule rule = fill_rule(words.reading.rule, ba::Fill_rule::NONZERO);
-      write_json(out, offsets_of(words, RECORD_NAME, drawing, rule, nullptr), drawing, eps);
+      write_json(out, offsets_of(words, RECORD_NAME, drawing, rule, true), drawing, eps);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
   const Offset_input input = offset_input(words);
   const ba::Drawing_2<double>& drawing = input.drawing;
   tell_loose_ends(input.file, drawing);
-  if (words.format == "dxf") tell_units_of_dxf({{input.file, input.unit_in_mm}});
-  std::vector<ba::Offset> offsets;
-  {
-    Progress_line progress("offsets");
-    offsets = offsets_of(words, input.file, drawing, input.rule, &progress);
-  }
+  if (words.format == "dxf") tell_units_of_dxf({input.file, input.unit_in_mm});
+  const Gcode_setup setup =
+      is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
+  const std::vector<ba::Offset> offsets = offsets_of(words, input.file, drawing, input.rule, false);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
-  else if (words.format == "dxf") write_dxf(output.stream(), offsets, input.flips, dxf_entities(words.dxf));
+  else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));
+  else if (words.is_plain) write_plain_svg(output.stream(), written(offsets, input));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);
+  else if (is_gcode) write_gcode(output.stream(), input.file, tool_passes(offsets, setup.depth), setup);
   else draw(output.stream(), offsets, drawing, eps, input.flips);
   output.commit();
   return 0;

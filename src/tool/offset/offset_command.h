@@ -11,6 +11,7 @@
 #include "../query/query_command.h"
 #include "../reading.h"
 #include "../stream/record_stream.h"
+#include "../toolpath/gcode_options.h"
 
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct Offset_words {
   std::string file, distances, eps, join = "round", cap = "round", side = "both", format = "json";
   std::string output, dxf = "polylines";
   double miter_limit = 4;
+  bool is_plain = false;
+  Gcode_words gcode;
   Stream_options stream;
   Reading_words reading;
 };

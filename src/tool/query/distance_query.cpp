@@ -4,6 +4,8 @@
 
 #include "query_command.h"
 
+#include "../number_text.h"
+
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
@@ -55,7 +57,7 @@ Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, doub
   const ba::Drawing_distance<Point> d =
       (eps > 0 ? ba::distance(*a.curves, *b.curves, eps) : ba::distance(*a.curves, *b.curves)).value();
   Query_answer answer;
-  answer.title = "distance: " + digits(d.distance.upper);
+  answer.title = "distance: " + short_number(d.distance.upper);
   answer.json = {{"distance", json_of(d.distance)}, {"a", json_of(*a.curves, d.a)}, {"b", json_of(*b.curves, d.b)}};
   // of curves that meet, a part of the distance is never reached
   if (d.distance.lower > 0 || d.status == ba::Query_status::LIMIT_REACHED) add_status(answer.json, answer, d.status);
@@ -75,7 +77,7 @@ Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, dou
   const ba::Bracket d{(std::max)(from_a.distance.lower, from_b.distance.lower),
                       (std::max)(from_a.distance.upper, from_b.distance.upper)};
   Query_answer answer;
-  answer.title = "Hausdorff distance: " + digits(d.upper);
+  answer.title = "Hausdorff distance: " + short_number(d.upper);
   answer.json = {{"distance", json_of(d)},
                  {"directed", {json_of(from_a.distance), json_of(from_b.distance)}},
                  {"a", json_of(*a.curves, both.a)},

@@ -5,6 +5,7 @@
 #include "query_command.h"
 
 #include "../Commands.h"
+#include "../Elapsed_line.h"
 #include "../Output_file.h"
 #include "../loose_ends.h"
 #include "../option_words.h"
@@ -17,6 +18,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -121,6 +123,7 @@ Query_drawing load_drawing(const std::string& path, const std::string& kernel, c
   const ba::Curve_file file = read_told(path, words);
   Query_drawing drawing = query_drawing(name_of_file(path), file.curves, kernel, fill_rule(words.rule, file.rule));
   drawing.unit_in_mm = file.unit_in_mm;
+  drawing.page = file.page;
   return drawing;
 }
 
@@ -137,6 +140,7 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
                           "closed by a straight line, as SVG fills what is open", true});
   Query_drawing all = query_drawing(file, read.curves, kernel, rule);
   all.unit_in_mm = read.unit_in_mm;
+  all.page = read.page;
   std::vector<Curve_record> closed;
   std::vector<std::size_t> numbers;
   bool is_unknown = false;  // whether open ones are filled
@@ -161,6 +165,8 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
   Query_drawing drawing = query_drawing(file, closed, kernel, rule);
   drawing.flips = all.flips;
   drawing.unit_in_mm = all.unit_in_mm;
+  drawing.page = all.page;
+  drawing.looks = std::move(all.looks);
   drawing.numbers = std::move(numbers);
   return drawing;
 }
@@ -175,7 +181,10 @@ Query_drawing query_drawing(const std::string& file, const std::vector<Curve_rec
   Query_drawing drawing;
   drawing.file = file;
   drawing.rule = rule;
-  for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
+  for (const Curve_record& record : records) {
+    drawing.flips = drawing.flips && !record.y_is_down;
+    drawing.looks.push_back(look_of(record));
+  }
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
                ? std::make_unique<Bounding_arc_tree_2>(ba::drawing<double>(some), ba::Decisions::DOUBLE)
@@ -275,12 +284,16 @@ int run_query(const CLI::App& command, const Query_options& options) {
   std::vector<const Bounding_arc_tree_2*> drawings{a.curves.get()};
   Query_drawing b;
   if (!options.other.empty()) {
-    b = load_drawing(options.other, options.kernel, options.reading);
+    Reading_words reading = options.reading;
+    reading.keep_unit(a.unit());
+    b = load_drawing(options.other, options.kernel, reading);
     drawings.push_back(b.curves.get());
-    tell_units({a.unit(), b.unit()});
   }
+  std::optional<Elapsed_line> elapsed;
+  if (points.empty()) elapsed.emplace(name);  // else points are counted
   const Query_answer answer =
       options.other.empty() ? answer_of_one(name, a, points, options) : answer_of_two(name, a, b, options);
+  elapsed.reset();
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), answer);
   else if (options.format == "csv") write_csv(output.stream(), answer);

@@ -10,11 +10,13 @@
 #include "../Hierarchy.h"
 #include "../reading.h"
 #include "../stream/record_stream.h"
+#include "../written/Written_drawing.h"
 #include "Query_answer.h"
 
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,13 @@ struct Query_drawing {
   CGAL::Bounding_arcs::Fill_rule rule = CGAL::Bounding_arcs::Fill_rule::NONZERO;  ///< what closed curves enclose
   std::vector<std::size_t> numbers = {};  ///< of each curve among those of the file; empty where all are there
   double unit_in_mm = 0;                  ///< 0 where the file tells none
+  std::optional<CGAL::Bounding_arcs::Page> page = {};
+  std::vector<Curve_look> looks = {};  ///< of each curve of the file
 
+  /// How a curve of the drawing is shown.
+  [[nodiscard]] Curve_look look_of(std::size_t curve) const {
+    return number_of(curve) < looks.size() ? looks[number_of(curve)] : Curve_look{};  // a frame has none
+  }
   [[nodiscard]] File_unit unit() const { return {file, unit_in_mm}; }
   /// The number in the file of a curve of the drawing.
   [[nodiscard]] std::size_t number_of(std::size_t curve) const { return numbers.empty() ? curve : numbers[curve]; }

@@ -145,8 +145,10 @@ int run_report(const Report_words& words) {
   const Options options = options_of(words);
   check_yardsticks(options.methods, options.kernel, false, false);
   std::vector<CGAL::Bounding_arcs::Curve_file> read;  // what is wrong is told before plots are measured for seconds
+  Reading_words reading = words.reading;
   for (const std::string& file : words.files) {
-    read.push_back(read_told(file, words.reading));
+    read.push_back(read_told(file, reading));
+    reading.keep_unit({name_of_file(file), read.back().unit_in_mm});
     if (read.back().curves.empty()) throw Input_error(file, "curves", "expected at least one to look into, found none");
   }
   constexpr double MIB = 1048576;

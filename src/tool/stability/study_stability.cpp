@@ -119,9 +119,12 @@ void add_pieces(const std::string& file, const Curve_record& record, std::vector
 // Curves without a delta first, then a family of those with one, whose deltas fall as those of others do.
 std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
   std::vector<Study_piece> pieces;
-  for (const std::string& file : options.files)
-    for (const Curve_record& record : read_told(file, options.reading).curves)
-      add_pieces(name_of_file(file), record, pieces);
+  Reading_words reading = options.reading;
+  for (const std::string& file : options.files) {
+    const CGAL::Bounding_arcs::Curve_file read = read_told(file, reading);
+    reading.keep_unit({name_of_file(file), read.unit_in_mm});
+    for (const Curve_record& record : read.curves) add_pieces(name_of_file(file), record, pieces);
+  }
   if (!options.curve.empty())
     for (const Curve_record& record : read_curves_from_text(options.curve, "--curve", "curve"))
       add_pieces("--curve", record, pieces);

@@ -39,6 +39,15 @@ struct Input_error : std::runtime_error {
   Input_error(const std::string& file, const std::string& place, const std::string& reason);
 };
 
+/// A colour as a DXF file has it: the number of one of AutoCAD's, any other one beside it, or none.
+struct Curve_colour {
+  int number = 0;  ///< 1 to 255, of which 7 is black on white and white on black; 0 for none
+  int rgb = -1;    ///< 0xRRGGBB; -1 where the number tells all
+};
+[[nodiscard]] inline bool operator==(const Curve_colour& a, const Curve_colour& b) {
+  return a.number == b.number && a.rgb == b.rgb;
+}
+
 /// A curve as its file gives it.
 /// \code
 /// for (const Curve_record& record : read_curves("shape.svg")) std::cout << record.name << '\n';
@@ -58,8 +67,9 @@ struct Curve_record {
     UNKNOWN     ///< a style sheet, which is not read, may have the file fill it so or not
   };
 
-  std::string name;   ///< need not be unique in a file
-  std::string layer;  ///< of a DXF file, as it is spelled there; empty where there is none
+  std::string name;     ///< need not be unique in a file
+  std::string layer;    ///< of a DXF file, or of an SVG file from Inkscape, as it is spelled there; empty for none
+  Curve_colour colour;  ///< that is seen: of an entity or its layer, the stroke of a shape or else its fill
   Type type = BEZIER;
   int degree = 1;                          ///< of a path, the greatest of its pieces
   std::vector<Xy<double>> control_points;  ///< Euclidean, not multiplied by the weights; empty for a path
@@ -97,6 +107,14 @@ struct Reading_options {
   std::optional<Fill_rule> rule = {};  ///< what closed curves enclose, whatever the file says
 };
 
+/// The part of the plane that an SVG file shows, and how large.
+struct Page {
+  double x = 0, y = 0, width = 0, height = 0;  ///< its viewBox, or what its width and height tell without one
+  std::string view_box;                        ///< as the file has it; empty for none
+  std::string shown_width, shown_height;       ///< its width and height, likewise
+  std::string aspect_ratio;                    ///< its preserveAspectRatio, likewise
+};
+
 /// A file that was read: its curves, what its closed curves enclose, and what it has beside them.
 /// \code
 /// const Curve_file file = read_curve_file("part.dxf");
@@ -115,6 +133,7 @@ struct Curve_file {
   double unit_in_mm = 0;                ///< the length of a unit of the coordinates; 0 where the file tells none
   double rounding = 0;  ///< how far ends may be apart that are the same but for the digits of a DXF or SVG file; 0 for
                         ///< JSON, whose curves are what its writer numbered
+  std::optional<Page> page = {};  ///< of an SVG file that tells one
 };
 
 /// Reads a file in JSON, SVG or DXF, told apart by how it begins.
