@@ -8,6 +8,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_H
 #define CGAL_BOUNDING_ARCS_2_H
 
+#if __cplusplus < 201703L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 201703L)
+#error "Bounding Arcs needs C++17: compile with -std=c++17, or with CMake's target_link_libraries, which says so"
+#else
+
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/boolean/clip.h>
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
@@ -54,5 +58,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
 #include <CGAL/Bounding_arcs_2/tree/neighbours.h>
+
+#endif
 
 #endif

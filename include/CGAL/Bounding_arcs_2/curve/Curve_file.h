@@ -43,10 +43,11 @@ struct Input_error : std::runtime_error {
 struct Curve_colour {
   int number = 0;  ///< 1 to 255, of which 7 is black on white and white on black; 0 for none
   int rgb = -1;    ///< 0xRRGGBB; -1 where the number tells all
+
+  friend bool operator==(const Curve_colour& a, const Curve_colour& b) {
+    return a.number == b.number && a.rgb == b.rgb;
+  }
 };
-[[nodiscard]] inline bool operator==(const Curve_colour& a, const Curve_colour& b) {
-  return a.number == b.number && a.rgb == b.rgb;
-}
 
 /// A curve as its file gives it.
 /// \code

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,12 @@ class Bounding_arc_tree_2 {
   template <class NT>
   explicit Bounding_arc_tree_2(const B_spline_curve_2<NT>& curve, Decisions decisions = Decisions::EXACT)
       : Bounding_arc_tree_2(drawing_of(curve), decisions) {}
+
+  /// Refuses curves without a drawing, which would not say whether they are a chain.
+  template <class Curve> explicit Bounding_arc_tree_2(const std::vector<Curve>&, Decisions = Decisions::EXACT) {
+    static_assert(std::is_void_v<Curve>,
+                  "A tree takes a Drawing_2: add each curve to one, or all of them at once if they are a chain");
+  }
 
   /// Puts other curves in the place of curves first, ..., last - 1, after a control point was moved, say. These alone
   /// are cut, but for trees of exact numbers and those whose unit is or becomes another one. Copies of the tree keep

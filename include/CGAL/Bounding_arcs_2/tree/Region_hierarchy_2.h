@@ -44,6 +44,12 @@ namespace CGAL::Bounding_arcs {
 
 class Default_traits_2;  // region/Default_traits_2.h
 
+/// Whether a type has what is looked at first of a model of BoundingRegionTraits_2.
+template <class T, class = void> inline constexpr bool is_region_traits_v = false;
+template <class T>
+inline constexpr bool is_region_traits_v<T, std::void_t<typename T::Bounding_region_2, typename T::Construction>> =
+    true;
+
 /// The paper's bounding volume hierarchy: bounding regions of one kind over all spiral segments, kept to a tolerance or
 /// made as a traversal goes there. It is for those who want regions in hand, of any kind and over any kernel: to draw,
 /// to write, to search by one's own code. The library's searches do not read it: they descend a Bounding_arc_tree_2, in
@@ -59,6 +65,9 @@ class Default_traits_2;  // region/Default_traits_2.h
 /// \tparam Spiral a model of SpiralSegment_2 over Traits::FT
 template <class Traits_ = Default_traits_2, class Spiral_ = Bezier_spiral_2<typename Traits_::FT>>
 class Region_hierarchy_2 {
+  static_assert(is_region_traits_v<Traits_>,
+                "Region_hierarchy_2 takes traits of regions, such as Bca_traits_2<Kernel>, in place of a kernel");
+
  public:
   using Traits = Traits_;
   using Spiral = Spiral_;

@@ -59,8 +59,8 @@ class Segment_hierarchy {
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
   Segment_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions)
       : drawing_(std::move(drawing)), decisions_(decisions) {
-    build(nullptr,
-          nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
+    // A program with other exact numbers than the library's has no build(): it does not link.
+    build(nullptr, nullptr);
   }
   /// Takes the curves of another hierarchy in another unit, and cuts them where that does.
   /// \pre these are the same curves but for a power of two, which takes nothing of them; that is no forest, nor parted
