@@ -37,7 +37,7 @@ bounding_arcs offset part.dxf --distance 2 --eps 0.01 -o contour.svg
 head -12 contour.nc
 bounding_arcs offset part.dxf --distance -4,-6,-8,-10,-12,-14,-16,-18,-20 --eps 0.01 --feed 600 --depth 1 -o pocket.nc
 bounding_arcs offset part.dxf --distance -4,-6,-8,-10,-12,-14,-16,-18,-20 --eps 0.01 -o pocket.svg
-sed -n 's/^(offset \(.*\))$/\1/p' pocket.nc | paste -sd' '
+sed -En 's/^.offset (.*).$/\1/p' pocket.nc | paste -sd' '
 bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --feed 300 -o carving.nc
 bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 -o carving.svg
 head -9 carving.nc
