@@ -26,10 +26,16 @@ done
 "$tool" offset --distance 0.03,-0.03,-0.06 --eps 1e-3 --format svg $rabbit -o $images/offset.svg
 "$tool" medial-axis --eps 1e-4 --discs --format svg $rabbit -o $images/medial_axis.svg
 "$tool" medial-axis --frame --cells --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg
-# README's picture: offsets and the axis in one. The axis is moved and scaled so that its curve, of class c, is that of
-# the offsets.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+# The pictures of the recipe in tool.md; a tenth of a pixel is enough there.
+mkdir "$scratch/mount"
+bash examples/part_to_tool_path.sh "$tool" "$scratch/mount" > /dev/null
+for picture in "$scratch"/mount/*.svg; do
+  sed -E '/<(title|text)/!s/([0-9]\.[0-9])[0-9]+/\1/g' "$picture" > "$images/mount_$(basename "$picture")"
+done
+# README's picture: offsets and the axis in one. The axis is moved and scaled so that its curve, of class c, is that of
+# the offsets.
 "$tool" offset --distance 0.04,-0.04,-0.08 --eps 1e-3 --format svg $wrench -o "$scratch/offset.svg"
 "$tool" medial-axis --eps 1e-3 --prune 0.005 --format svg $wrench -o "$scratch/axis.svg"
 awk '

@@ -18,8 +18,11 @@ draw() {
   "$tool" "$@" --format svg -o "$picture"
   echo "$picture: $what"
 }
-mkdir -p build/pictures
+mkdir -p build/pictures/mount
 echo 'Pictures:'
+# First those of the recipe, from a part to tool paths; its G-code is beside them.
+bash examples/part_to_tool_path.sh "$tool" build/pictures/mount > build/pictures/mount/commands.txt
+sed -n 's|^!\[\(.*\)](images/mount_\(.*\))$|build/pictures/mount/\2: \1|p' doc/tool.md
 draw pocket 'insets of a bracket, every 2 mm, around its holes as islands' \
   offset --distance -2,-4,-6,-8,-10,-12,-14,-16,-18 --eps 0.01 $data/bracket.svg
 draw axis 'the medial axis of the bracket, with the discs of its vertices' \
