@@ -78,9 +78,8 @@ std::string convert(ba::Curve_file& file, const File_unit& wanted, const std::st
   const bool is_by_word = wanted.file.empty();
   const std::string word = word_of_unit(wanted.in_mm);
   if (file.unit_in_mm == 0) {
-    if (!is_by_word) return "";
     tell_unit(file, wanted.in_mm);
-    return "no unit told: 1 unit is taken for 1 " + word;
+    return is_by_word ? "no unit told: 1 unit is taken for 1 " + word : taken_unit_text(wanted);
   }
   if (is_same_unit(file.unit_in_mm, wanted.in_mm)) return "";
   const std::string from = unit_text(file.unit_in_mm);

@@ -70,6 +70,16 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
                    "Read also what a DXF file has in paper space: frames and titles of sheets");
 }
 
+void Reading_words::keep_unit(const File_unit& of) {
+  if (unit.in_mm != 0) return;
+  if (of.in_mm == 0) {
+    if (without_unit.empty()) without_unit = of.file;
+    return;
+  }
+  unit = of;
+  if (!without_unit.empty()) tell(without_unit, taken_unit_text(of));
+}
+
 std::string name_of_file(const std::string& path) { return path == "-" ? "stdin" : path; }
 
 std::string count_text(std::size_t count, const std::string& noun) {

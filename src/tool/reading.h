@@ -24,17 +24,17 @@ namespace bounding_arcs_tool {
 /// What the command line says about reading.
 struct Reading_words {
   CGAL::Bounding_arcs::Reading_options options;
-  bool is_strict = false;   ///< files have to be read whole
-  std::string join;         ///< how far apart ends may be that are joined, or none; empty for the file's rounding
-  bool skips_open = false;  ///< open curves are left out
-  std::string layers, ids;  ///< that are wanted, with commas between; empty for all
-  std::string rule;         ///< nonzero or evenodd for what needs one; empty for the file's own
-  File_unit unit;           ///< that coordinates are converted to; none for that of the file
+  bool is_strict = false;    ///< files have to be read whole
+  std::string join;          ///< how far apart ends may be that are joined, or none; empty for the file's rounding
+  bool skips_open = false;   ///< open curves are left out
+  std::string layers, ids;   ///< that are wanted, with commas between; empty for all
+  std::string rule;          ///< nonzero or evenodd for what needs one; empty for the file's own
+  File_unit unit;            ///< that coordinates are converted to; none for that of the file
+  std::string without_unit;  ///< the first file that tells none
 
   /// Has the files that are read from now on converted to the unit of one, if it tells one and no unit was wanted yet.
-  void keep_unit(const File_unit& of) {
-    if (unit.in_mm == 0) unit = of;
-  }
+  /// Says so of the first file before it that tells none.
+  void keep_unit(const File_unit& of);
 };
 
 /// Adds the options --units, --join-ends, --skip-open, --layers, --ids, --strict, --hidden and --paper.

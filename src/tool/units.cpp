@@ -4,6 +4,7 @@
 
 #include "units.h"
 
+#include "../input/Input_text.h"
 #include "number_text.h"
 
 #include <algorithm>
@@ -105,6 +106,11 @@ std::string unit_text(double in_mm) {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.9g mm", in_mm);
   return digits;
+}
+
+std::string taken_unit_text(const File_unit& other) {
+  return "no unit told: 1 unit is taken for " + unit_text(other.in_mm) + ", as in " +
+         one_line(other.file, std::string::npos);
 }
 
 bool is_same_unit(double a, double b) {

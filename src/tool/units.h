@@ -30,6 +30,9 @@ struct File_unit {
 /// "1 mm", "25.4 mm".
 [[nodiscard]] std::string unit_text(double in_mm);
 
+/// What is said of a file that tells no unit beside one that does.
+[[nodiscard]] std::string taken_unit_text(const File_unit& other);
+
 /// Whether lengths of units are one but for the digits of files.
 [[nodiscard]] bool is_same_unit(double a, double b);
 

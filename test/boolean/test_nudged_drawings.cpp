@@ -26,7 +26,7 @@ using namespace bounding_arcs_test;
 class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
  protected:
   // How many cases: a second or less of each.
-  static constexpr int MANY = 40, SOME = 12, FEW = 6;
+  static constexpr int MANY = 40, SOME = 12, FEW = 4;
 
   template <class Check> static void expect_of_pairs(int count, const Check& check) {
     expect_no_faults(count, [&](std::mt19937& random) {

@@ -174,7 +174,7 @@ TEST(ClosestPoint, InACenterIsOneOfMany) {
   half.add(segment({-5, -1}, {5, -1}));
   const auto points = ba::closest_points(Bounding_arc_tree_2(half), {0, 0}, 1e-9);
   ASSERT_EQ(points.size(), 2U);
-  for (const Closest_point<>& p : points) EXPECT_NEAR(p.distance.lower, 1, 1e-13);
+  for (const auto& p : points) EXPECT_NEAR(p.distance.lower, 1, 1e-13);
 }
 
 TEST(ClosestPoints, AreAllThatAreLocallyLeast) {

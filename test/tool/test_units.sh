@@ -61,6 +61,12 @@ run boolean union none.dxf mm.dxf inch.dxf half.svg --rule evenodd
 input=inch.dxf run query distance mm.dxf -
 says "stdin: ${converted#*: }"
 
+# A file that tells no unit beside one that does, in either order.
+run boolean difference none.dxf inch.dxf
+says 'none.dxf: no unit told: 1 unit is taken for 25.4 mm, as in inch.dxf'
+run boolean difference inch.dxf none.dxf
+says 'none.dxf: no unit told: 1 unit is taken for 25.4 mm, as in inch.dxf'
+
 # --units, which --eps and distances are in, too, and what closes gaps.
 run offset inch.dxf --units mm --distance 1 --eps 0.01
 says 'inch.dxf: converted from units of 25.4 mm to mm'
