@@ -86,7 +86,7 @@ expect_status 0
 has_lines '(units: mm)' 'G1 X10 Y-10' 'G1 X25.4 Y-25.4'
 run arcs slot.svg inch.svg --eps 0.001 --feed 20 --format gcode
 expect_status 0
-[ -z "$err" ] || fail "$command_line: $err"
+expect_line '*slot.svg: no unit told: 1 unit is taken for 25.4 mm, as in inch.svg'
 has_lines '(units: inches)' 'G1 X1 Y-1'
 run arcs inch.svg --units mm --eps 0.001 --feed 20 --format gcode
 expect_status 0

@@ -33,6 +33,7 @@ says() {
 
 # Operands in other units than the first one that has any. An inch is as wide as 25.4 mm, but not as high as 8 of them.
 converted='inch.dxf: converted from units of 25.4 mm to units of 1 mm, as in mm.dxf'
+taken='no unit told: 1 unit is taken for 25.4 mm, as in inch.dxf'
 for command in 'boolean difference' 'clip' 'arrange' 'query distance' 'query hausdorff' 'query intersect' \
   'arcs --eps 1' 'build --eps 1 --method bca' 'compare --eps 1 --repeat 1' 'verify --eps 1 --method bca' \
   'stability --quantities radius --kernels double' 'report --stability none --eps 1'; do
@@ -43,7 +44,11 @@ for command in 'boolean difference' 'clip' 'arrange' 'query distance' 'query hau
     if [ "${command% *}" = boolean ] || [ "$command" = clip ]; then same=${same/line.json/none.dxf}; fi
     # shellcheck disable=SC2086
     run $command $same
-    says ''
+    case $same in  # what tells no unit beside one that does, in either order
+      *none.dxf*) says "none.dxf: $taken" ;;
+      *line.json*) says "line.json: $taken" ;;
+      *) says '' ;;
+    esac
   done
 done
 run boolean difference mm.dxf inch.dxf --strict
@@ -60,12 +65,6 @@ run boolean union none.dxf mm.dxf inch.dxf half.svg --rule evenodd
 [ "$(grep -c 'to units of 1 mm, as in mm.dxf' "$results/err")" -eq 2 ] || fail "$command_line: said $err"
 input=inch.dxf run query distance mm.dxf -
 says "stdin: ${converted#*: }"
-
-# A file that tells no unit beside one that does, in either order.
-run boolean difference none.dxf inch.dxf
-says 'none.dxf: no unit told: 1 unit is taken for 25.4 mm, as in inch.dxf'
-run boolean difference inch.dxf none.dxf
-says 'none.dxf: no unit told: 1 unit is taken for 25.4 mm, as in inch.dxf'
 
 # --units, which --eps and distances are in, too, and what closes gaps.
 run offset inch.dxf --units mm --distance 1 --eps 0.01

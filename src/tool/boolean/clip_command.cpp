@@ -71,6 +71,7 @@ Clipped clipped(const Clip_words& words) {
   made.curves = load_drawing(words.file, words.kernel, reading);
   reading.keep_unit(made.curves.unit());
   made.region = load_closed_drawing(words.region, words.kernel, reading);
+  reading.keep_unit(made.region.unit());
   const Elapsed_line elapsed("clipping");
   const ba::Clipped_2 found = ba::clip(*made.curves.curves, *made.region.curves, made.region.rule);
   if (found.status == ba::Outline_status::UNDECIDED)

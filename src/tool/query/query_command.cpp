@@ -287,6 +287,7 @@ int run_query(const CLI::App& command, const Query_options& options) {
     Reading_words reading = options.reading;
     reading.keep_unit(a.unit());
     b = load_drawing(options.other, options.kernel, reading);
+    reading.keep_unit(b.unit());
     drawings.push_back(b.curves.get());
   }
   std::optional<Elapsed_line> elapsed;
