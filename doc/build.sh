@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the manual in build/manual, from index.html on. Fails for anything that Doxygen warns of, but for what needs no
-# description, see below; for links of pages that lead nowhere, in the manual or in the repository; for pages and
-# programs that are not listed; and for a page that loads anything from elsewhere.
+# description, see below; for links of pages that lead nowhere, in the manual or in the repository; for sources that
+# pages name and that are not there; for pages and programs that are not listed; and for a page that loads anything from
+# elsewhere.
 # Usage: bash doc/build.sh [DOXYGEN]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -23,6 +24,13 @@ refuse() {
 refuse 'Links to files that are not there:' "$(for page in README.md doc/*.md; do
   grep -oE '\]\([^) #]+(#[^) ]*)?\)' "$page" | sed 's/^](//; s/[#)].*//' | while read -r target; do
     [[ $target =~ ^[a-z]+: ]] || [ -e "$(dirname "$page")/$target" ] || echo "$page: $target"
+  done
+done)"
+refuse 'Paths of sources that are not there:' "$(for page in README.md doc/*.md; do
+  [ "$page" != doc/CHANGELOG.md ] || continue  # which tells of what was
+  grep -oE '`[A-Za-z_0-9./]+/[A-Za-z_0-9.]+\.(h|cpp|sh)`' "$page" | tr -d '`' | sort -u | while read -r path; do
+    for place in . include include/CGAL/Bounding_arcs_2 src test; do [ ! -e "$place/$path" ] || continue 2; done
+    echo "$page: $path"
   done
 done)"
 refuse 'Not listed in doc/index.md or doc/examples.md:' "$(for file in doc/*.md examples/*.cpp; do
