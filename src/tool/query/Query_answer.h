@@ -7,7 +7,6 @@
 #ifndef BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
@@ -23,9 +22,6 @@ using Json = nlohmann::ordered_json;
 using CGAL::Bounding_arcs::Bounding_arc_tree_2;
 using CGAL::Bounding_arcs::Curve_place;
 using CGAL::Bounding_arcs::Xy;
-using Point = CGAL::Bounding_arcs::Default_kernel::Point_2;
-
-[[nodiscard]] inline Xy<double> xy(const Point& p) { return {p.x(), p.y()}; }
 
 /// Something to show on the curves: a dot, or a line through points.
 struct Mark {

@@ -18,25 +18,25 @@ namespace {
 namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Bracket& d) { return Json::array({d.lower, d.upper}); }
-Json json_of(const Bounding_arc_tree_2& curves, const ba::Drawing_point<Point>& p) {
-  return {{"point", bounding_arcs_tool::json_of(xy(p.point))}, {"place", bounding_arcs_tool::json_of(curves, p.place)}};
+Json json_of(const Bounding_arc_tree_2& curves, const ba::Drawing_point<>& p) {
+  return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(curves, p.place)}};
 }
 
-void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance<Point>& d,
-                  const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b) {
+void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance<>& d, const Bounding_arc_tree_2& a,
+                  const Bounding_arc_tree_2& b) {
   answer.columns = {"what", "least", "most", "x a", "y a", "place a", "t a", "x b", "y b", "place b", "t b"};
   std::vector<std::string> row{what, digits(d.distance.lower), digits(d.distance.upper)};
-  const auto add = [&row](const Bounding_arc_tree_2& curves, const ba::Drawing_point<Point>& p) {
-    for (const std::string& field : {digits(p.point.x()), digits(p.point.y()),
+  const auto add = [&row](const Bounding_arc_tree_2& curves, const ba::Drawing_point<>& p) {
+    for (const std::string& field : {digits(p.point.x), digits(p.point.y),
                                      name_of_place(curves, p.place.curve, p.place.bezier), digits(p.place.t)})
       row.push_back(field);
   };
   add(a, d.a);
   add(b, d.b);
   answer.rows.push_back(std::move(row));
-  answer.marks.push_back({Mark::LINE, {xy(d.a.point), xy(d.b.point)}});
-  answer.marks.push_back({Mark::DOT, {xy(d.a.point)}});
-  answer.marks.push_back({Mark::DOT, {xy(d.b.point)}});
+  answer.marks.push_back({Mark::LINE, {d.a.point, d.b.point}});
+  answer.marks.push_back({Mark::DOT, {d.a.point}});
+  answer.marks.push_back({Mark::DOT, {d.b.point}});
 }
 
 // The widest bracket where nothing else is asked for: 1e-9 of the drawings together.
@@ -54,7 +54,7 @@ double tolerance_of(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b, 
 Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, double eps) {
   check_has_curve(a);
   check_has_curve(b);
-  const ba::Drawing_distance<Point> d =
+  const ba::Drawing_distance<> d =
       (eps > 0 ? ba::distance(*a.curves, *b.curves, eps) : ba::distance(*a.curves, *b.curves)).value();
   Query_answer answer;
   answer.title = "distance: " + short_number(d.distance.upper);
@@ -69,11 +69,11 @@ Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, dou
   check_has_curve(a);
   check_has_curve(b);
   const double tolerance = tolerance_of(*a.curves, *b.curves, eps);
-  const ba::Drawing_distance<Point> from_a = ba::directed_hausdorff_distance(*a.curves, *b.curves, tolerance).value();
-  ba::Drawing_distance<Point> from_b = ba::directed_hausdorff_distance(*b.curves, *a.curves, tolerance).value();
+  const ba::Drawing_distance<> from_a = ba::directed_hausdorff_distance(*a.curves, *b.curves, tolerance).value();
+  ba::Drawing_distance<> from_b = ba::directed_hausdorff_distance(*b.curves, *a.curves, tolerance).value();
   std::swap(from_b.a, from_b.b);
   const bool is_of_a = from_a.distance.upper >= from_b.distance.upper;
-  const ba::Drawing_distance<Point>& both = is_of_a ? from_a : from_b;
+  const ba::Drawing_distance<>& both = is_of_a ? from_a : from_b;
   const ba::Bracket d{(std::max)(from_a.distance.lower, from_b.distance.lower),
                       (std::max)(from_a.distance.upper, from_b.distance.upper)};
   Query_answer answer;

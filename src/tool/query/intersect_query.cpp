@@ -47,22 +47,21 @@ Mark mark_of(const Bounding_arc_tree_2& curves, const ba::Overlap_2& o) {
   return mark;
 }
 
-Query_answer answer_of(const ba::Intersections_2<Point>& found, const Bounding_arc_tree_2& a,
-                       const Bounding_arc_tree_2& b) {
+Query_answer answer_of(const ba::Intersections_2<>& found, const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b) {
   Query_answer answer;
   answer.title = "intersections: " + std::to_string(found.points.size()) +
                  (found.overlaps.empty() ? "" : ", overlaps: " + std::to_string(found.overlaps.size()));
   answer.columns = {"x", "y", "kind", "place a", "t a", "place b", "t b"};
   Json points = Json::array(), overlaps = Json::array();
-  for (const ba::Intersection_2<Point>& p : found.points) {
-    points.push_back({{"point", bounding_arcs_tool::json_of(xy(p.point))},
+  for (const ba::Intersection_2<>& p : found.points) {
+    points.push_back({{"point", bounding_arcs_tool::json_of(p.point)},
                       {"kind", name_of(p.kind)},
                       {"a", json_of(p.a)},
                       {"b", json_of(p.b)}});
-    answer.rows.push_back({digits(p.point.x()), digits(p.point.y()), name_of(p.kind),
+    answer.rows.push_back({digits(p.point.x), digits(p.point.y), name_of(p.kind),
                            name_of_place(a, p.a.curve, p.a.bezier), digits(p.a.t.middle()),
                            name_of_place(b, p.b.curve, p.b.bezier), digits(p.b.t.middle())});
-    answer.marks.push_back({Mark::DOT, {xy(p.point)}});
+    answer.marks.push_back({Mark::DOT, {p.point}});
   }
   for (const ba::Overlap_2& o : found.overlaps) {
     overlaps.push_back({{"a", {{"from", place_of(a, o.a_from)}, {"to", place_of(a, o.a_to)}}},
