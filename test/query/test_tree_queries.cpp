@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -84,8 +85,7 @@ TYPED_TEST(TreeQueries, OfHardCasesAreThoseOfTheFilteredKernel) {
 }
 
 // What segments are, bit for bit.
-void expect_same_segments(const ba::Bounding_arc_tree_2& tree, const ba::Bounding_arc_tree_2& other) {
-  const ba::Segment_hierarchy &a = tree.in_unit(), &b = other.in_unit();
+void expect_same_segments(const ba::Segment_hierarchy& a, const ba::Segment_hierarchy& b) {
   ASSERT_EQ(a.number_of_segments(), b.number_of_segments());
   ASSERT_EQ(a.number_of_beziers(), b.number_of_beziers());
   EXPECT_EQ(a.hidden_tips(), b.hidden_tips());
@@ -99,8 +99,43 @@ void expect_same_segments(const ba::Bounding_arc_tree_2& tree, const ba::Boundin
     EXPECT_EQ(a.place(i).curve, b.place(i).curve);
     EXPECT_EQ(a.place(i).bezier, b.place(i).bezier);
     EXPECT_EQ(a.region(i).radius, b.region(i).radius);
+    EXPECT_EQ(a.error(i), b.error(i));
+    EXPECT_EQ(a.is_straight(i), b.is_straight(i));
+  }
+  for (std::uint32_t i = 0; i < a.number_of_beziers(); ++i) {
+    EXPECT_EQ(a.bezier(i).control_points(), b.bezier(i).control_points());
+    EXPECT_EQ(a.rounding(i), b.rounding(i));
+    EXPECT_EQ(a.curve_of_bezier(i), b.curve_of_bezier(i));
+    EXPECT_EQ(a.is_point(i), b.is_point(i));
   }
 }
+void expect_same_segments(const ba::Bounding_arc_tree_2& tree, const ba::Bounding_arc_tree_2& other) {
+  expect_same_segments(tree.in_unit(), other.in_unit());
+}
+// Trees as one forest are what the tree of all their curves is.
+TEST(TreeQueries, AreNumberedThroughInAForest) {
+  std::mt19937 random(9);
+  // control points an ulp from an end: what doubles tell of the direction there is another one
+  const Bezier hidden({{1, 1}, {1 + 0x1p-52, 1}, {3, 4}, {5, 1}});
+  for (int i = 0; i < cases(40); ++i) {
+    Drawing all;
+    std::vector<std::shared_ptr<const ba::Segment_hierarchy>> members;
+    for (int k = 0; k < 3; ++k) {
+      Drawing drawing = random_drawing(random);
+      if (random() % 2 == 0) drawing.add(hidden);
+      if (random() % 4 == 0) drawing.add(Bezier({{2, 2}, {2, 2}}));
+      if (random() % 8 == 0) drawing = Drawing();
+      all.add(drawing);
+      members.push_back(ba::Bounding_arc_tree_2(drawing).in_unit(ba::Unit()));
+    }
+    const ba::Segment_hierarchy forest(members);
+    SCOPED_TRACE(i);
+    expect_same_segments(forest, ba::Bounding_arc_tree_2(all).in_unit());
+    EXPECT_EQ(forest.drawing().curves().size(), all.curves().size());
+    if (HasFailure()) return;
+  }
+}
+
 // The chain with each control point moved by a part of 1e-3.
 std::vector<Bezier> nudged(const std::vector<Bezier>& chain, std::mt19937& random) {
   std::uniform_real_distribution<double> part(-1e-3, 1e-3);
