@@ -190,6 +190,9 @@ run medial-axis bar.svg --eps 0.01 --format csv
 [ "$(head -n 1 "$results/out")" = edge,x,y,radius,left,right ] || fail "$command_line: $(head -n 1 "$results/out")"
 
 # Wrong usage, which names what is missing.
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --conics --format csv
+expect_status 2
+expect_line 'bounding_arcs: --conics: expected no path of a tool beside it, found csv'
 run arcs slot.svg --eps 0.01 --format gcode --feed 1 --plain
 expect_status 2
 expect_line 'bounding_arcs: --format: expected svg with --plain, which no other form has, found gcode'

@@ -334,6 +334,7 @@ void check_carving(const Medial_axis_words& words, bool is_carving) {
   if (words.max_depth > 0 && !is_carving)
     throw Usage_error("--format", "dxf, csv or gcode with --max-depth", words.format);
   if (words.max_depth > 0 && words.is_framed) throw Usage_error("--max-depth", "no frame beside it", "--frame");
+  if (is_carving && words.with_conics) throw Usage_error("--conics", "no path of a tool beside it", words.format);
   if (words.format != "gcode") return;
   if (words.v_bit == 0) throw Usage_error("--v-bit", "an angle with --format gcode", "none");
   check_gcode_words(words.gcode);
