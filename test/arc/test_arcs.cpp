@@ -7,7 +7,7 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include "../../src/library/arc/arc_contacts.h"
+#include "../../src/library/offset/Tolerant_trimmer.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // Arcs as curves of Arr_circular_line_arc_traits_2: the right one of the two arcs of an exact circle through both ends,
 // the same circle as for the other traits, and what comes back.
 
-#include <CGAL/Bounding_arcs_2/exchange/arcs_of_kernel.h>
+#include <CGAL/Bounding_arcs_2/exchange/add_to_drawing.h>
 #include <CGAL/Bounding_arcs_2/exchange/circle_segment_curve.h>
 #include <CGAL/Bounding_arcs_2/exchange/circular_line_curve.h>
 #include <CGAL/Bounding_arcs_2/exchange/widened_outline.h>

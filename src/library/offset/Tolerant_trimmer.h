@@ -14,18 +14,132 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OFFSET_TOLERANT_TRIMMER_H
 #define BOUNDING_ARCS_LIBRARY_OFFSET_TOLERANT_TRIMMER_H
 
-#include "../arc/arc_contacts.h"
-#include "Knots.h"
 #include "Raw_offset.h"
+
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+// Points, of which those within a reach of each other are one: a knot, with the place of the one that came first.
+// Squares as wide as the reach are knots, and one with their neighbours where those have points, too.
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Knots {
+ public:
+  explicit Knots(double reach) : reach_(reach) {}
+
+  std::uint32_t add(const Xy<double>& p) {
+    points_.push_back(p);
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
+  /// Joins the points to knots; to be called when all are there.
+  void join() {
+    boost::disjoint_sets_with_storage<> sets(points_.size());
+    std::vector<Cell> cells;
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      cells.push_back({std::floor(points_[i].x / reach_), std::floor(points_[i].y / reach_), i});
+    std::sort(cells.begin(), cells.end());
+    for (auto c = cells.begin(); c != cells.end(); ++c) {
+      if (c != cells.begin() && !(*(c - 1) < *c)) {
+        sets.union_set((c - 1)->point, c->point);
+        continue;
+      }
+      for (const Cell& beside :
+           {Cell{c->x, c->y + 1, 0}, {c->x + 1, c->y - 1, 0}, {c->x + 1, c->y, 0}, {c->x + 1, c->y + 1, 0}}) {
+        const auto found = std::lower_bound(c, cells.end(), beside);
+        if (found != cells.end() && !(beside < *found)) sets.union_set(c->point, found->point);
+      }
+    }
+    knot_.resize(points_.size());
+    std::vector<std::uint32_t> first(points_.size(), NONE);  // of each set
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      std::uint32_t& of_set = first[sets.find_set(i)];
+      knot_[i] = of_set = (std::min)(of_set, i);
+      moved_ = (std::max)(moved_, euclidean_norm(points_[i] - points_[knot_[i]]));
+    }
+  }
+  /// The knot of a point, which is a number below size().
+  [[nodiscard]] std::uint32_t of(std::uint32_t point) const { return knot_[point]; }
+  [[nodiscard]] const Xy<double>& place(std::uint32_t knot) const { return points_[knot]; }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  /// How far a point is from the place of its knot at most.
+  [[nodiscard]] double moved() const { return moved_; }
+
+ private:
+  struct Cell {
+    double x, y;
+    std::uint32_t point;
+    friend bool operator<(const Cell& a, const Cell& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+  };
+
+  static constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
+
+  double reach_, moved_ = 0;
+  std::vector<Xy<double>> points_;
+  std::vector<std::uint32_t> knot_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+// Where two arcs come within a reach of each other, as far as that is needed to cut them into parts that lie on each
+// other, from end to end, or do not touch but at their ends: crossings, ends of one next to the other, and touchings.
+
+namespace CGAL::Bounding_arcs {
+
+/// A place on each of two arcs, as Moebius parameters, no farther from each other than the reach.
+struct Arc_contact {
+  double u, v;
+};
+/// The places in which two arcs are within reach of each other.
+struct Arc_contacts {
+  Arc_contact at[7];
+  int count = 0;
+};
+
+[[nodiscard]] inline double clamped_parameter(const Arc_2& arc, const Xy<double>& q) {
+  return (std::min)((std::max)(moebius_parameter(arc, q), 0.0), 1.0);
+}
+
+/// \param room what rounding may move points by, at most the reach
+[[nodiscard]] inline Arc_contacts contacts(const Arc_2& e, const Arc_2& f, double room, double reach) {
+  Arc_contacts result;
+  const auto add = [&](double u, double v) { result.at[result.count++] = {u, v}; };
+  const auto is_near = [reach](const Xy<double>& q, const Arc_2& arc) {
+    return std::fabs(signed_distance(q, arc)) <= reach;
+  };
+  if (is_near(f.from, e)) add(clamped_parameter(e, f.from), 0);
+  if (is_near(f.to, e)) add(clamped_parameter(e, f.to), 1);
+  if (is_near(e.from, f)) add(0, clamped_parameter(f, e.from));
+  if (is_near(e.to, f)) add(1, clamped_parameter(f, e.to));
+  const Arc_crossings found = crossings(e, f, room);
+  for (int k = 0; k < found.count; ++k) add(found.at[k].u, found.at[k].v);
+  // Where both are nearest to each other without a crossing, side(q(v)) |g|^2 has nearly a double zero.  On one circle
+  // no place is nearest.
+  const Side_along s = side_along(e, f);
+  const double bend = s.c0 - 2 * s.c1 + s.c2, v = (s.c0 - s.c1) / bend;
+  const double flat = (1 + e.bulge * e.bulge) * euclidean_norm(e.to - e.from) * reach / 2;
+  const bool is_one_circle = std::fabs(s.c0) <= flat && std::fabs(s.c1) <= flat && std::fabs(s.c2) <= flat;
+  if (found.count == 0 && !is_one_circle && v > 0 && v < 1) {
+    const Xy<double> q = moebius_point(f, v);
+    if (is_near(q, e)) add(clamped_parameter(e, q), v);
+  }
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs
 
 namespace CGAL::Bounding_arcs::internal {
 

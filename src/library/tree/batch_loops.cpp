@@ -5,19 +5,31 @@
 // The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
+#include "batch/Bca_batch.h"
+#include "batch/Bilens_batch.h"
+#include "batch/Spiral_fat_arc_batch.h"
+#include "batch/few_arcs.h"
+#include "batch/top_levels.h"
 #include "for_instruction_sets.h"
 
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Bca_batch.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Bilens_batch.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Spiral_fat_arc_batch.h>
+#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
 
 namespace CGAL::Bounding_arcs::filter {
 
-template <class Isa, class Method> Batch_function compiled_batch(int kind) { return batch_of_kind<Isa, Method>(kind); }
-template <class Isa, class Method> Top_function compiled_top(int kind) { return top_of_kind<Isa, Method>(kind); }
-template <class Isa, class Arcs> Arc_function compiled_arcs(int kind) { return arcs_of_kind<Isa, Arcs>(kind); }
-template <class Isa, class Arcs> Lanes_function compiled_lanes(int kind) { return lanes_of_kind<Isa, Arcs>(kind); }
+// The loops for a kind of curves, null for kind 0.
+template <class Isa, class Method> Batch_function compiled_batch(int kind) {
+  return for_kind(kind, [](auto k) -> Batch_function { return &bound_batch<Isa, Method, k()>; });
+}
+template <class Isa, class Method> Top_function compiled_top(int kind) {
+  return for_kind(kind, [](auto k) -> Top_function { return &decide_top<Isa, Method, k()>; });
+}
+template <class Isa, class Arcs> Arc_function compiled_arcs(int kind) {
+  return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<Isa, Arcs, k()>; });
+}
+template <class Isa, class Arcs> Lanes_function compiled_lanes(int kind) {
+  return for_kind(kind, [](auto k) -> Lanes_function { return &make_few_arcs<Isa, Arcs, k()>; });
+}
 
 #define BOUNDING_ARCS_LOOPS(Isa)                                          \
   template Batch_function compiled_batch<Isa, Bca_batch>(int);            \

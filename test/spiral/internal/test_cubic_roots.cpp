@@ -7,7 +7,7 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/numerator_roots.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "random_spirals.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/internal/Cubic_expansion.h>
+#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 
 #include <gtest/gtest.h>
 

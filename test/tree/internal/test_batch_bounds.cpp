@@ -4,6 +4,10 @@
 //
 // What batches say of a piece's thickness against the exact one, and the figures behind it against exact figures.
 
+#include "../../../src/library/tree/batch/Bca_batch.h"
+#include "../../../src/library/tree/batch/Bilens_batch.h"
+#include "../../../src/library/tree/batch/Spiral_fat_arc_batch.h"
+#include "../../../src/library/tree/batch/bound_batch.h"
 #include "batch_families.h"
 
 #include <CGAL/Bounding_arcs_2.h>

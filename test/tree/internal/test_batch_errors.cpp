@@ -6,12 +6,17 @@
 // segments are so small, and their bounds so safe, that a term left out of a formula's error would hardly ever be seen;
 // here errors are as large as formulas serve, and figures are changed by as much.
 
+#include "../../../src/library/tree/batch/Bca_batch.h"
+#include "../../../src/library/tree/batch/Bilens_arcs.h"
+#include "../../../src/library/tree/batch/Bilens_batch.h"
+#include "../../../src/library/tree/batch/Spiral_fat_arc_arcs.h"
+#include "../../../src/library/tree/batch/Spiral_fat_arc_batch.h"
+#include "../../../src/library/tree/batch/bound_batch.h"
 #include "batch_families.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Formulas.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
 
 #include <gtest/gtest.h>
 
@@ -140,7 +145,7 @@ TYPED_TEST(Batch_errors, AreHeldByBoundsOfNarrowPieces) {
 template <class Arcs, bool WIDE> void expect_certain_arcs() {
   constexpr double ALL_ROOM = 1e100, HALF_OF_CERTAIN = 2 / Precision::CERTAIN;
   const auto holds = [](const Local_form<double>& form, const Figures& f) {
-    if constexpr (Arcs::HAS_JOINTS) return Arcs::template of<WIDE>(form, f.piece, f.ends, ALL_ROOM).holds;
+    if constexpr (filter::HAS_JOINTS<Arcs>) return Arcs::template of<WIDE>(form, f.piece, f.ends, ALL_ROOM).holds;
     else return Arcs::template of<WIDE>(form, f.piece, ALL_ROOM).holds;
   };
   int count = 0;
@@ -154,7 +159,7 @@ template <class Arcs, bool WIDE> void expect_certain_arcs() {
     form = {};
     form.least_square = 1.01 * g.chord_square;
     EXPECT_FALSE(holds(form, f));
-    if constexpr (Arcs::HAS_JOINTS) {
+    if constexpr (filter::HAS_JOINTS<Arcs>) {
       form = {};
       form.numerator_error = HALF_OF_CERTAIN * (g.a * g.r + g.d * g.p);
       EXPECT_FALSE(holds(form, f));
@@ -165,7 +170,7 @@ template <class Arcs, bool WIDE> void expect_certain_arcs() {
       form.least_tangent = 1.01 * std::min(e.square0, e.square1);
       EXPECT_FALSE(holds(form, f));
     }
-    if constexpr (Arcs::FORM == Region_form::SPIRAL_FAT_ARC) {
+    if constexpr (filter::FORM<Arcs> == Region_form::SPIRAL_FAT_ARC) {
       form = {};
       form.least_turn_rate = 1.01 * e.turn_rate0;
       EXPECT_FALSE(holds(form, f));

@@ -4,6 +4,10 @@
 //
 // Batches of up to 64 pieces: the same bits on every instruction set, and the same as of pieces by themselves.
 
+#include "../../../src/library/tree/batch/Bca_batch.h"
+#include "../../../src/library/tree/batch/Bilens_batch.h"
+#include "../../../src/library/tree/batch/Spiral_fat_arc_batch.h"
+#include "../../../src/library/tree/batch/bound_batch.h"
 #include "batch_families.h"
 #include "bundled_spirals.h"
 #include "trees.h"

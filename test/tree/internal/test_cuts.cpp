@@ -8,7 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/cut_count.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <gtest/gtest.h>
 

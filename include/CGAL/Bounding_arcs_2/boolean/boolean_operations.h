@@ -7,7 +7,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
 
-#include <CGAL/Bounding_arcs_2/boolean/Drawn_outline.h>
 #include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
@@ -16,6 +15,27 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+// An outline as curves in doubles, with how far rounding moved it.
+
+/// How an outline becomes a drawing.
+struct Outline_drawing_options {
+  /// Leaves out parts that doubles do not tell from a point, and chains of which nothing else is there. Such a part has
+  /// no direction for whoever reads the drawing, and another operation would cut it again.
+  bool drops_tiny_parts = true;
+};
+
+/// An outline as a drawing in doubles, and what that is of.
+/// \code
+/// const Drawn_outline rest = drawn_outline(subtract(a, b), {&a, &b});
+/// std::cout << rest.drawing.curves().size() << " curves, moved by " << rest.moved << " at most\n";
+/// \endcode
+struct Drawn_outline {
+  Drawing_2<double> drawing;  ///< piece k of curve i is part k of chain i of `outline`
+  Outline_2 outline;          ///< what is drawn: the outline without parts and chains that were left out
+  double moved = 0;  ///< no point of a chain that is drawn is farther from its curve, and none of the curve farther
+                     ///< from its chain; a chain that is left out is within that of one point
+};
 
 /// Returns the boundary of what the closed curves of several trees fill together:
 /// boolean_operation({&a, &b, &c}, Boolean_operation::UNION).

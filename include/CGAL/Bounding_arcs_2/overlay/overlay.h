@@ -7,14 +7,122 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OVERLAY_OVERLAY_H
 #define CGAL_BOUNDING_ARCS_2_OVERLAY_OVERLAY_H
 
-#include <CGAL/Bounding_arcs_2/overlay/Overlay_2.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+// What curves cut the plane into: vertices, edges and faces.
+
+/// Says where an overlay cuts curves, beside the places where they meet.
+struct Overlay_options {
+  bool at_joints = false;  ///< where Bezier pieces join, too: each source of an edge has one part then
+};
+
+/// A point where curves meet or end, or are a point.
+struct Overlay_vertex {
+  Xy<double> point;                   ///< the vertex but for rounding
+  Bracket x, y;                       ///< hold its coordinates
+  std::optional<std::uint32_t> face;  ///< the face that it is in, of a vertex without edges
+};
+
+/// A part of a Bezier piece.
+struct Overlay_part {
+  std::uint32_t bezier = 0;  ///< of its curve
+  Bracket from, to;          ///< hold the parameters of start and end, which may be nearer than doubles tell
+};
+
+/// A curve that runs along an edge.
+struct Overlay_source {
+  std::uint32_t operand = 0;        ///< the number of the drawing, in the order in which they were given
+  std::uint32_t curve = 0;          ///< of that drawing
+  bool is_closed = false;           ///< whether the curve is; an open one runs round nothing
+  bool is_reversed = false;         ///< whether it runs against the edge: `from` of parts is above `to`
+  std::vector<Overlay_part> parts;  ///< in the direction of the edge
+};
+
+/// A part of curves between two vertices, with none inside. It may be shorter than doubles tell.
+struct Overlay_edge {
+  std::optional<std::uint32_t> from, to;  ///< vertices; none of a closed curve without any
+  std::uint32_t left = 0, right = 0;      ///< faces
+  std::vector<Overlay_source> sources;    ///< all curves that run along it; the edge runs as the first one does
+};
+
+/// An edge as it is run through along the boundary of a face.
+struct Overlay_side {
+  std::uint32_t edge = 0;
+  bool is_reversed = false;  ///< against the edge
+};
+
+/// A connected part of the plane without the curves.
+struct Overlay_face {
+  bool is_bounded = true;  ///< all but face 0 are
+  /// Closed ways along edges, with the face on the left. The outer one comes first; face 0 has none such. Both sides of
+  /// an edge are in them where that has the face on both.
+  std::vector<std::vector<Overlay_side>> boundaries;
+  /// A side with the face on its left, and a face of a lesser number on its right; none of face 0.
+  std::optional<Overlay_side> way_out;
+};
+
+/// What curves cut the plane into. Face 0 is around all curves.
+/// \code
+/// const Overlay_2 cells = overlay(tree, other);  // overlay.h
+/// cells.for_each_face([&](std::uint32_t face, const std::vector<int>& windings) {
+///   if (windings[0] != 0 && windings[1] == 0) std::cout << cells.faces[face].boundaries.size() << '\n';
+/// });
+/// \endcode
+struct Overlay_2 {
+  std::vector<Overlay_vertex> vertices;
+  std::vector<Overlay_edge> edges;
+  std::vector<Overlay_face> faces;
+  std::size_t number_of_operands = 0;
+  Outline_status status = Outline_status::COMPLETE;
+  std::optional<Undecided_meeting> undecided;  ///< where `status` is UNDECIDED; then there is nothing else
+
+  /// Returns how often the closed curves of each operand run round a face, counterclockwise more than 0.
+  /// \complexity that of the edges on a way to face 0
+  [[nodiscard]] std::vector<int> windings(std::uint32_t face) const {
+    std::vector<int> result(number_of_operands, 0);
+    for (; faces[face].way_out; face = out_of(face)) go_in(face, 1, result);
+    return result;
+  }
+  /// Visits all faces in their order, with these numbers. Between two visits they change by what is crossed.
+  /// \param visit is called with each face and these numbers: visit(std::uint32_t, const std::vector<int>&)
+  /// \complexity that of all edges; a winding number for each operand is all that is kept
+  template <class Visit> void for_each_face(const Visit& visit) const {
+    std::vector<int> numbers(number_of_operands, 0);
+    std::uint32_t at = 0;
+    for (std::uint32_t face = 0; face < faces.size(); ++face) {
+      if (face > 0) {
+        // faces are in such an order that the way goes on from one around the face before
+        for (; at != out_of(face); at = out_of(at)) go_in(at, -1, numbers);
+        go_in(face, 1, numbers);
+        at = face;
+      }
+      visit(face, static_cast<const std::vector<int>&>(numbers));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t out_of(std::uint32_t face) const {
+    const Overlay_side& side = *faces[face].way_out;
+    return side.is_reversed ? edges[side.edge].left : edges[side.edge].right;
+  }
+  // The left of a closed curve has one more than its right.
+  void go_in(std::uint32_t face, int sign, std::vector<int>& windings) const {
+    const Overlay_side& side = *faces[face].way_out;
+    for (const Overlay_source& s : edges[side.edge].sources)
+      if (s.is_closed) windings[s.operand] += s.is_reversed == side.is_reversed ? sign : -sign;
+  }
+};
 
 /// Returns what the curves of several trees, open ones and closed ones, cut the plane into.
 /// \param options what is cut beside places where curves meet

@@ -7,12 +7,73 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_SIGNED_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_SIGNED_DISTANCE_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/signed_distances.h>
+#include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
+
+// Signed distances in doubles.
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A distance with the sign of a side; 0 on a curve.
+[[nodiscard]] inline Signed_distance<> with_side(const Closest_point<>& found, Point_side side) {
+  Bracket d = found.distance;
+  switch (side) {
+    case Point_side::INSIDE:
+      d = {0 - d.upper, 0 - d.lower};  // no -0
+      break;
+    case Point_side::OUTSIDE:
+      break;
+    case Point_side::ON:
+      d = {0, 0};
+      break;
+    case Point_side::UNDECIDED:
+      d = {-d.upper, d.upper};
+      break;
+  }
+  return {d, side, found.point, found.place, found.status};
+}
+
+[[nodiscard]] inline std::optional<Signed_distance<>> signed_distance(const Bounding_arc_tree_2& curves,
+                                                                      const Asked_point& q,
+                                                                      Fill_rule rule = Fill_rule::NONZERO) {
+  const Point_location_2 location(curves);
+  const auto found = closest_point(curves, q);
+  if (!found) return std::nullopt;
+  return with_side(*found, location.locate(q, rule));
+}
+
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+[[nodiscard]] std::vector<Signed_distance<>> signed_distances_of_all(const Bounding_arc_tree_2& curves,
+                                                                     const std::vector<Asked_point>& points,
+                                                                     Fill_rule rule = Fill_rule::NONZERO) {
+  const Point_location_2 location(curves);
+  const std::vector<Closest_point<>> closest = closest_points_of_all<ConcurrencyTag>(curves, points);
+  std::vector<Signed_distance<>> results(closest.size());
+  for_each_range<ConcurrencyTag>(closest.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      constexpr double UP = ROUNDED_UP<8>;  // a difference and a norm
+      const auto is_near = [&](const Asked_point& p, const Asked_point& q) {
+        const double way = stable_norm(p.point - q.point) + (p.error + q.error);
+        return way * UP < closest[i - 1].distance.lower;
+      };
+      const bool is_same_side =
+          i > begin && results[i - 1].side != Point_side::UNDECIDED && is_near(points[i], points[i - 1]);
+      results[i] = with_side(closest[i], is_same_side ? results[i - 1].side : location.locate(points[i], rule));
+    }
+  });
+  return results;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
 

@@ -17,7 +17,7 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Arcs_ahead.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Formulas.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
 #endif
 
 #include <algorithm>
@@ -186,7 +186,7 @@ template <class Construction, class Spiral> class Segment_regions {
       };
       widening = filter_->make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
                                [&](std::size_t j) { open.push_back(row + j); });
-      if (open.size() < count) to.form = Arcs::FORM;
+      if (open.size() < count) to.form = filter::FORM<Arcs>;
       if (open.empty()) return true;
       double longest = 0;
       for (const std::size_t j : open)

@@ -9,9 +9,145 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_PROVE_BCA_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_PROVE_BCA_H
 
-#include <CGAL/Bounding_arcs_2/verify/internal/Containment_piece.h>
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/Weighted_piece.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/sign_on_interval.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::verify {
+
+// Curve pieces over integers, for containment proofs.
+
+using Rational = CGAL::Exact_rational;
+using Integer = CGAL::Fraction_traits<Rational>::Numerator_type;
+using Integer_polynomial = Bernstein_polynomial<Integer>;
+
+/// The piece from one of its ends, its parameter from 0 at the tight end to 1 at the other:
+/// scale (x, y) / weight = C - p_end in units of the chord shape.
+struct End_view {
+  Integer_polynomial x, y;  ///< 0 at this end
+  Integer_polynomial weight;
+  Rational scale;
+  Xy<Rational> tangent;  ///< as in the chord shape, in the curve's direction
+  Xy<Integer> inward;    ///< `stretch` perp(tangent) times the turn: towards the centers of curvature
+  Integer stretch;
+  /// The side of a circle of curvature k that touches at this end, 2 inward q - k |inward| |q|^2, positive inside,
+  /// times weight^2 / scale is bend - k |inward| scale square.
+  Integer_polynomial bend, square;
+
+  /// v * (x, y)
+  [[nodiscard]] Integer_polynomial along(const Xy<Integer>& v) const { return v.x * x + v.y * y; }
+};
+
+/// A curve piece as polynomials over integers, seen from each of its ends: what the containment proofs evaluate circles
+/// and lines on. Denominators are cleared once, by positive factors that change no sign.
+struct Containment_piece {
+  End_view tight, flat;
+  Xy<Integer> chord;  ///< from the tight end to the flat one, in any length
+};
+
+/// How many coefficients from the start, or from the end, are exactly 0 in both of two polynomials of one degree.
+[[nodiscard]] inline std::size_t common_zeros(const Integer_polynomial& p, const Integer_polynomial& q, bool at_start) {
+  const auto &a = p.scaled_coefficients(), &b = q.scaled_coefficients();
+  const auto at = [&](std::size_t i) { return at_start ? i : a.size() - 1 - i; };
+  std::size_t n = 0;
+  while (n < a.size() && a[at(n)] == 0 && b[at(n)] == 0) ++n;
+  return n;
+}
+/// p divided by powers of the parameter and of its complement, whose coefficients are 0; 0 where nothing is left.
+template <class NT>
+[[nodiscard]] Bernstein_polynomial<NT> without_roots(const Bernstein_polynomial<NT>& p, std::size_t at_start,
+                                                     std::size_t at_end) {
+  const auto& c = p.scaled_coefficients();
+  if (at_start + at_end >= c.size()) return {};
+  return Bernstein_polynomial<NT>::from_scaled(
+      {c.begin() + static_cast<std::ptrdiff_t>(at_start), c.end() - static_cast<std::ptrdiff_t>(at_end)});
+}
+
+/// The parameters for which the curve is asked to be in the region: all, or not quite to its ends.
+struct Parameter_range {
+  Rational low{0}, high{1};
+};
+
+/// Whether p >= 0 in the range, its roots at 0 and 1 left out.
+[[nodiscard]] inline Proof prove_nonnegative_but_at_ends(const Integer_polynomial& p, const Parameter_range& range) {
+  Integer_polynomial rest = without_roots(p, common_zeros(p, p, true), common_zeros(p, p, false));
+  if (range.low != 0 || range.high != 1) {
+    const std::vector<Integer> ends =
+        cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+    rest = rest.restricted(ends[0], ends[1], ends[2], ends[3]);
+  }
+  return prove_nonnegative(rest);
+}
+
+/// An upper bound of the distance from an end of all points with parameters in the range; infinite if unknown.
+[[nodiscard]] inline double reach(const End_view& v, const Parameter_range& range) {
+  const std::vector<Integer> ends =
+      cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+  const auto part = [&](const Integer_polynomial& p) {
+    return p.elevated(v.x.degree()).restricted(ends[0], ends[1], ends[2], ends[3]).scaled_coefficients();
+  };
+  const std::vector<Integer> x = part(v.x), y = part(v.y), weight = part(v.weight);
+  double r = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(weight[i] > 0)) return INFINITE;
+    const Rational factor = v.scale / Rational(weight[i]);
+    r = (std::max)(r, length_range(Xy<Rational>(factor * Xy<Rational>{Rational(x[i]), Rational(y[i])})).upper);
+  }
+  return r;
+}
+
+[[nodiscard]] inline Containment_piece containment_piece(const Relative_piece<Rational>& piece,
+                                                         const Chord_shape_2<Rational>& f) {
+  std::vector<Rational> numbers(2);
+  for (std::size_t k = 1; k < piece.m.size(); ++k) numbers.insert(numbers.end(), {piece.m[k].x, piece.m[k].y});
+  const Cleared_numbers<Integer> m = cleared(numbers), w = cleared<Rational>({piece.w.begin(), piece.w.end()});
+  std::vector<Integer> x, y;
+  for (std::size_t k = 0; k < m.numbers.size(); k += 2) {
+    x.push_back(m.numbers[k]);
+    y.push_back(m.numbers[k + 1]);
+  }
+  const auto polynomial = [&](const std::vector<Integer>& taylor) {  // in the direction from the tight end
+    std::vector<Integer> c = from_taylor(taylor).scaled_coefficients();
+    if (!f.tight_first) std::reverse(c.begin(), c.end());
+    return Integer_polynomial::from_scaled(std::move(c));
+  };
+  End_view start, end;
+  start.x = polynomial(x);
+  start.y = polynomial(y);
+  start.weight = end.weight = polynomial(w.numbers.empty() ? std::vector<Integer>{Integer(1)} : w.numbers);
+  start.scale = piece.end_weight * Rational(w.denominator) / Rational(m.denominator);
+  const auto at_end = [&](const Integer_polynomial& p) {
+    return f.tight_first ? p.scaled_coefficients().back() : p.scaled_coefficients().front();
+  };
+  const Xy<Integer> way{at_end(start.x), at_end(start.y)};
+  end.x = at_end(start.weight) * start.x - way.x * start.weight;
+  end.y = at_end(start.weight) * start.y - way.y * start.weight;
+  end.scale = start.scale / Rational(at_end(start.weight));
+  start.tangent = f.tangent0;
+  end.tangent = f.tangent1;
+  for (End_view* v : {&start, &end}) {
+    const Xy<Rational> normal = Rational(f.turn) * perp(v->tangent);
+    const Cleared_numbers<Integer> n = cleared<Rational>({normal.x, normal.y});
+    v->inward = {n.numbers[0], n.numbers[1]};
+    v->stretch = n.denominator;
+    v->bend = Integer(2) * v->weight * v->along(v->inward);
+    v->square = v->x * v->x + v->y * v->y;
+    const int degree = (std::max)(v->bend.degree(), v->square.degree());
+    v->bend = v->bend.elevated(degree);
+    v->square = v->square.elevated(degree);
+  }
+  if (f.tight_first) return {std::move(start), std::move(end), way};
+  return {std::move(end), std::move(start), -way};
+}
 
 /// The curve keeps to the side given (+1 inside) of the circle that touches it at the tight or flat end and passes
 /// through the other one, where bend - k square is 0.

@@ -8,14 +8,117 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARCS_AHEAD_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARCS_AHEAD_H
 
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Arc_filter.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::filter {
+
+// Makes the regions in hand of a segment's pieces in batches, where there are formulas and a local curve; what it
+// leaves open is made one by one (tree/Region_columns.h).
+
+/// Places that a batch writes beyond those asked for, at most.
+inline constexpr std::size_t ARC_PADDING = GROUP<double>;
+
+/// What arc_room asks of a segment's points.
+template <class Spiral> [[nodiscard]] Point_sizes point_sizes(const Spiral& spiral) {
+  constexpr double OF_SINGLE = 4;  // of point errors: widening_of_single_regions (tree/Region_columns.h)
+  const double size = spiral.coordinate_size();
+  return {size, ulp_of(size), OF_SINGLE * spiral.point_error(), spiral.cut_error()};
+}
+
+/// Points of a segment, for its usual pieces and for coarse ones.
+struct Both_points {
+  Arc_points usual, coarse;
+
+  Both_points() = default;
+  Both_points(const Local_curve& curve, const Xy<double>& at_middle, const Arc_room& r)
+      : usual(arc_points(curve, at_middle, r.widening, r.room)),
+        coarse(arc_points(curve, at_middle, r.coarse_widening, r.coarse_room)) {}
+};
+
+/// Whether segments of a type have what batches need.
+template <class Spiral>
+inline constexpr bool are_served_v = has_local_curve_v<Spiral>&& std::is_same_v<typename Spiral::Number_type, double>;
+
+/// Makes the regions in hand of a segment's pieces in batches, where there are formulas and a local curve.
+template <class Arcs> class Arc_filter {
+ public:
+  /// \param is_whole the segment is asked for as one piece: its ends are known, and bulges need no points
+  template <class Spiral>
+  Arc_filter(Instruction_set set, const Spiral& spiral, bool is_whole) : Arc_filter(set, spiral, Both_points()) {
+    if constexpr (are_served_v<Spiral>) {
+      if (!serves()) return;
+      const Arc_room room = compiled_room<Arcs>(curve_, point_sizes(spiral));
+      const bool needs_middle = !is_whole || HAS_JOINTS<Arcs>;
+      points_ = {curve_, needs_middle ? spiral.end_point(curve_.middle) : Xy<double>(), room};
+      if (!(points_.usual.room > 0)) many_ = nullptr;
+    }
+  }
+  /// \param points as the other constructor finds them, with room
+  template <class Spiral>
+  Arc_filter(Instruction_set set, const Spiral& spiral, const Both_points& points)
+      : curve_(local_curve_of(spiral)), points_(points) {
+    if constexpr (are_served_v<Spiral>) {
+      const Arc_functions<Arcs> functions(set);
+      many_ = functions.of_many(curve_.kind);
+      few_ = functions.of_few(curve_.kind);
+    }
+  }
+  /// Whether it makes points and regions of the segment at all.
+  [[nodiscard]] bool serves() const { return many_ != nullptr; }
+
+  /// Writes points and bulges of pieces, see arc_batch, and calls open(i) for those whose bulges it leaves open.
+  /// \return how far the exact curve may be from the regions of the others
+  /// \pre serves(); behind breaks and places there is room for ARC_PADDING more
+  template <class Open>
+  double make(const double* breaks, std::size_t count, const Arc_places& to, const Open& open) const {
+    constexpr std::size_t FEW = 2;  // up to which a loop without wide registers is quicker
+    const Arc_function function = count <= FEW ? few_ : many_;
+    double widening = points_.usual.widening;
+    for (std::size_t i = 0; i < count; i += BATCH_SIZE) {
+      std::uint64_t left =
+          function(curve_, points_.usual, breaks + i, (std::min)(count - i, BATCH_SIZE), behind(to, i));
+      for (std::size_t j = i; left != 0; ++j, left >>= 1) {
+        if ((left & 1) == 0) continue;
+        if (few_(curve_, points_.coarse, breaks + j, 1, behind(to, j)) != 0) open(j);
+        else widening = points_.coarse.widening;
+      }
+    }
+    return widening;
+  }
+  /// What the widening is with regions over its points that were made one by one, from shapes exact to half an ulp by
+  /// formulas without cancellation: their joints and bulges err by the roundings of no more than 64 operations.
+  /// \param widening of the others \param chord the longest of these pieces has
+  [[nodiscard]] double with_single(double widening, double chord) const {
+    constexpr double OF_SINGLE = 64 * Local_precision<double>::HALF_ULP;
+    return (std::max)(widening, points_.usual.widening + OF_SINGLE * chord / 2 - points_.usual.room * curve_.form.unit);
+  }
+
+ private:
+  template <class Spiral> [[nodiscard]] static Local_curve local_curve_of(const Spiral& spiral) {
+    if constexpr (has_local_curve_v<Spiral>) return spiral.local_curve();
+    else return {};
+  }
+  [[nodiscard]] static Arc_places behind(const Arc_places& to, std::size_t i) {
+    const auto side = [i](const Side_places& s) {
+      if constexpr (!HAS_JOINTS<Arcs>) return Side_places{s.bulge + i, nullptr, nullptr, nullptr};
+      else return Side_places{s.bulge + i, s.joint_x + i, s.joint_y + i, s.second_bulge + i};
+    };
+    return {to.x + i, to.y + i, side(to.inner), side(to.outer)};
+  }
+
+  Local_curve curve_;
+  Both_points points_;
+  Arc_function many_ = nullptr, few_ = nullptr;
+};
 
 /// Makes the regions in hand of segments with few leaves.
 /// \tparam Spiral has a local curve, over double
@@ -42,7 +145,7 @@ template <class Arcs, class Spiral> class Arcs_ahead {
       q.most_widening.of[lane] = sizes.most_widening;
       q.cut_error.of[lane] = sizes.cut_error;
       for (std::size_t k = 0; k <= FEW_LEAVES; ++k) q.breaks[k].of[lane] = t[rows[i] + (std::min)(k, leaves)];
-      set_middle(q, lane, first[i], leaves > 1 || Arcs::HAS_JOINTS);
+      set_middle(q, lane, first[i], leaves > 1 || HAS_JOINTS<Arcs>);
     };
     const auto ask = [&](int kind, const std::size_t* places, std::size_t size) {
       if (const Lanes_function function = functions_.of_lanes(kind)) {
@@ -85,9 +188,9 @@ template <class Arcs, class Spiral> class Arcs_ahead {
     }
     for (auto* side : {&columns.inner, &columns.outer}) {
       side->bulge[last] = 0;
-      if constexpr (Arcs::HAS_JOINTS) side->joint_x[last] = side->joint_y[last] = side->second_bulge[last] = 0;
+      if constexpr (HAS_JOINTS<Arcs>) side->joint_x[last] = side->joint_y[last] = side->second_bulge[last] = 0;
     }
-    columns.form = Arcs::FORM;
+    columns.form = FORM<Arcs>;
     return true;
   }
   /// The points of segment i where they leave room for arcs.
@@ -129,7 +232,7 @@ template <class Arcs, class Spiral> class Arcs_ahead {
   }
   template <class Side> static void set_side(std::size_t lane, const Side_lanes& from, Side& to, std::size_t j) {
     to.bulge[j] = from.bulge.of[lane];
-    if constexpr (Arcs::HAS_JOINTS) {
+    if constexpr (HAS_JOINTS<Arcs>) {
       to.joint_x[j] = from.joint_x.of[lane];
       to.joint_y[j] = from.joint_y.of[lane];
       to.second_bulge[j] = from.second_bulge.of[lane];

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which loop serves a construction on this machine: the one for the widest registers there are.  The results are the
+// same bits for all.  A construction without formulas has none: its pieces are bounded, and its arcs made, one by one.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_FUNCTIONS_H
+#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_FUNCTIONS_H
+
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL::Bounding_arcs {
+
+template <class Construction> struct With_algebraic_boundary;
+
+namespace filter {
+
+// Formulas for thickness, and for arcs; src/library/tree/batch has them.
+struct Bca_batch;
+struct Bilens_batch;
+struct Spiral_fat_arc_batch;
+struct Bca_arcs;
+struct Bilens_arcs;
+struct Spiral_fat_arc_arcs;
+
+/// Formulas of a construction, void where there are none.
+template <class Construction> struct Formulas {
+  using Type = void;
+  using Arcs = void;
+};
+/// The formulas of BCA.
+template <> struct Formulas<Bca> {
+  using Type = Bca_batch;
+  using Arcs = Bca_arcs;
+};
+/// The formulas of bilens.
+template <> struct Formulas<Bilens> {
+  using Type = Bilens_batch;
+  using Arcs = Bilens_arcs;
+};
+/// The formulas of SFA.
+template <> struct Formulas<Spiral_fat_arc> {
+  using Type = Spiral_fat_arc_batch;
+  using Arcs = Spiral_fat_arc_arcs;
+};
+template <class Construction> struct Formulas<With_algebraic_boundary<Construction>> : Formulas<Construction> {};
+
+/// The regions that formulas for arcs make, and whether their sides have two arcs.
+template <class Arcs> inline constexpr Region_form FORM = Region_form::BCA;
+template <> inline constexpr Region_form FORM<Bilens_arcs> = Region_form::BILENS;
+template <> inline constexpr Region_form FORM<Spiral_fat_arc_arcs> = Region_form::SPIRAL_FAT_ARC;
+template <class Arcs> inline constexpr bool HAS_JOINTS = FORM<Arcs> != Region_form::BCA;
+
+using Bound_function = Bracket (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
+using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
+using Top_function = void (*)(const Top_question&, Top_answer&);
+
+using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
+                                       const Arc_places&);
+using Lanes_function = void (*)(const Few_question&, Few_answer&);
+
+/// The loops as they are compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
+template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
+template <class Isa, class Method> [[nodiscard]] Top_function compiled_top(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Lanes_function compiled_lanes(int kind);
+/// The loops for few pieces; defined in src/library/tree/single_loops.cpp.
+template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
+template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
+/// What regions of a segment may err by, see Arc_points.h. \pre curve.kind > 0
+template <class Arcs> [[nodiscard]] Arc_room compiled_room(const Local_curve& curve, const Point_sizes& sizes);
+/// Sets the form in float, where it serves.
+[[nodiscard]] bool make_rough_form(const Local_curve& curve, Local_form<float>& rough);
+
+/// The functions that bound thickness, for function_for.
+template <class Method> struct Bounds_of_kind {
+  using Lookup = Batch_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
+};
+/// The functions that decide first levels, for function_for.
+template <class Method> struct Tops_of_kind {
+  using Lookup = Top_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_top<Isa, Method>; }
+};
+/// The functions that make arcs, for function_for.
+template <class Arcs> struct Arcs_of_kind {
+  using Lookup = Arc_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }
+};
+/// The functions that make arcs of eight segments, for function_for.
+template <class Arcs> struct Lanes_of_kind {
+  using Lookup = Lanes_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_lanes<Isa, Arcs>; }
+};
+
+/// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
+class Batch_functions {
+ public:
+  template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
+    Batch_functions f;
+    if (set == Instruction_set::NONE) return f;
+    f.many_ = function_for<Bounds_of_kind<Method>>(set);
+    f.one_ = &compiled_one<Method>;
+    f.top_ = function_for<Tops_of_kind<Method>>(set);
+    return f;
+  }
+  [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
+    return many_ != nullptr ? many_(curve.kind) : nullptr;
+  }
+  /// Returns the function for single pieces, where a batch would take longer.
+  [[nodiscard]] Bound_function of_one(const Local_curve& curve) const {
+    return one_ != nullptr ? one_(curve.kind) : nullptr;
+  }
+  /// Returns the function for the first levels of eight segments of a kind.
+  [[nodiscard]] Top_function of_top(int kind) const { return top_ != nullptr ? top_(kind) : nullptr; }
+
+ private:
+  Batch_function (*many_)(int kind) = nullptr;
+  Bound_function (*one_)(int kind) = nullptr;
+  Top_function (*top_)(int kind) = nullptr;
+};
+
+/// The loops that make the arcs of regions, the same bits; null where regions are to be made one by one.
+template <class Arcs> class Arc_functions {
+ public:
+  explicit Arc_functions(Instruction_set set) {
+    if (set == Instruction_set::NONE) return;
+    many_ = function_for<Arcs_of_kind<Arcs>>(set);
+    few_ = &compiled_few<Arcs>;
+    lanes_ = function_for<Lanes_of_kind<Arcs>>(set);
+  }
+  /// Makes arcs in groups of eight pieces.
+  [[nodiscard]] Arc_function of_many(int kind) const { return many_ != nullptr ? many_(kind) : nullptr; }
+  /// Makes arcs piece by piece, which is quicker for one or two.
+  [[nodiscard]] Arc_function of_few(int kind) const { return few_ != nullptr ? few_(kind) : nullptr; }
+  /// Makes the arcs of eight segments.
+  [[nodiscard]] Lanes_function of_lanes(int kind) const { return lanes_ != nullptr ? lanes_(kind) : nullptr; }
+
+ private:
+  Arc_function (*many_)(int kind) = nullptr;
+  Arc_function (*few_)(int kind) = nullptr;
+  Lanes_function (*lanes_)(int kind) = nullptr;
+};
+
+}  // namespace filter
+}  // namespace CGAL::Bounding_arcs
+
+#endif
