@@ -4,12 +4,13 @@
 //
 // Nearest points beside scans of the whole drawing in long double, and those that are known.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
+#include "../../src/library/query/Closest_search.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 //
 // Convex hulls, beside those of many samples and where they are known.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "convex_polygon.h"

@@ -4,6 +4,7 @@
 //
 // Least distances of drawings beside scans of both, and those that are known.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "query_drawings.h"
 

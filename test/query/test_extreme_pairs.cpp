@@ -5,11 +5,11 @@
 // Searches over curves of which doubles tell little: each ends, by an answer or at its limit of work, and its bracket
 // holds what many digits tell.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "extreme_pairs.h"
 
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
@@ -21,6 +21,7 @@
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 #include "../../src/library/query/Distance_search.h"
 #include "../../src/library/query/Hausdorff_search.h"
+#include "../../src/library/query/Work_limit.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 //
 // Every query on the list of hard cases, beside what is known of them and scans in long double.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "convex_polygon.h"
 #include "hard_cases.h"

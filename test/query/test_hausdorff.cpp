@@ -4,6 +4,7 @@
 //
 // Hausdorff distances beside those of samples and of points about the farthest of these, and those that are known.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "query_drawings.h"
 

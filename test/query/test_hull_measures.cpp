@@ -4,6 +4,7 @@
 //
 // Widths, diameters and enclosing circles, beside those of many samples and of scans in long double.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "convex_polygon.h"

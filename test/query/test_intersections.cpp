@@ -4,6 +4,7 @@
 //
 // Intersections of drawings against exact ones of each two Bezier pieces, and on cases whose answers are known.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/query/intersections.h>

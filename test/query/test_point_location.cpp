@@ -4,6 +4,7 @@
 //
 // Winding numbers, sides and signed distances of points, beside Sturm sequences and where they are known.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "winding_oracle.h"

@@ -4,6 +4,7 @@
 //
 // Queries by a tree: points of a kernel go in and come out, and the tree says how what doubles leave open is answered.
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "hard_cases.h"
 #include "kernel_trees.h"

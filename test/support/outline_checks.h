@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TEST_OUTLINE_CHECKS_H
 #define BOUNDING_ARCS_TEST_OUTLINE_CHECKS_H
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>

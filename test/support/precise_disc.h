@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TEST_PRECISE_DISC_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include "../../src/library/tree/Segment_hierarchy.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

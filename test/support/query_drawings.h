@@ -9,6 +9,7 @@
 #ifndef BOUNDING_ARCS_TEST_QUERY_DRAWINGS_H
 #define BOUNDING_ARCS_TEST_QUERY_DRAWINGS_H
 
+#include "../../src/library/tree/Segment_hierarchy.h"
 #include "degenerate_curves.h"
 #include "region_samples.h"
 

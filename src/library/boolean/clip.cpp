@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include "../query/Intersection_search.h"
 #include "../query/Winding_search.h"
+#include "../tree/Segment_hierarchy.h"
 #include "curve_of_part.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_LEAVES_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_LEAVES_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include "Axis_boundary.h"
 #include "Disc_search.h"
 #include "fitted_disc.h"
 #include "make_axis_boundary.h"

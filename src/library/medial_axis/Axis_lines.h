@@ -12,9 +12,9 @@
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_LINES_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Axis_boundary.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_PARTS_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_PARTS_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include "Axis_boundary.h"
 #include "Disc_search.h"
 
 #include <algorithm>

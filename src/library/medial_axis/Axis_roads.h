@@ -9,7 +9,7 @@
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_ROADS_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_graph.h>
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/filtered_graph.hpp>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
 #include "join_edges.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_CLOSE_WALLS_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_CLOSE_WALLS_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
+#include "Bounding_parts.h"
 
 #include <functional>
 #include <vector>

@@ -12,8 +12,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_DISC_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_DISC_SEARCH_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
+#include "Axis_boundary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_TOUCH_FINDER_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_TOUCH_FINDER_H
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
 #include "Axis_parts.h"
 #include "fitted_disc.h"
 

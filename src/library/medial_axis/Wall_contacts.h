@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_WALL_CONTACTS_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_WALL_CONTACTS_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
+#include "Bounding_parts.h"
 
 #include <cstdint>
 #include <vector>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Axis_prover.h"
 
 #include <algorithm>

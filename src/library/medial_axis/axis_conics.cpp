@@ -7,6 +7,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Line_parts.h"
 
 #include <algorithm>

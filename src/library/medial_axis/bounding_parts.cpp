@@ -11,8 +11,9 @@
 #include "Close_walls.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include "../query/Winding_search.h"
+#include "../tree/Segment_hierarchy.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cmath>

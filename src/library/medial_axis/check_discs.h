@@ -8,9 +8,9 @@
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_CHECK_DISCS_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
+#include "Axis_boundary.h"
 #include "order_by_place.h"
 
 #include <algorithm>

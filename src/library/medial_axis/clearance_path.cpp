@@ -5,10 +5,11 @@
 // Bodies of medial_axis/clearance_path.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include "../query/query_units.h"
+#include "../tree/Segment_hierarchy.h"
 #include "Axis_roads.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cstddef>

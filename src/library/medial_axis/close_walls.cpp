@@ -9,7 +9,8 @@
 #include "../overlay/Joined_sets.h"
 #include "Wall_contacts.h"
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

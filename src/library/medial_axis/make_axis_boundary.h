@@ -7,9 +7,9 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_MAKE_AXIS_BOUNDARY_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_MAKE_AXIS_BOUNDARY_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
-#include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
+#include "../tree/Directed_segment.h"
+#include "Axis_boundary.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cmath>

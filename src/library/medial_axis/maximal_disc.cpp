@@ -10,11 +10,13 @@
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include "../query/query_units.h"
+#include "../tree/Segment_hierarchy.h"
 #include "Disc_search.h"
 #include "make_axis_boundary.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -42,24 +44,36 @@ struct Not_segment {
 
 }  // namespace internal
 
-Maximal_discs_2::Maximal_discs_2(const Bounding_arc_tree_2& curves, Fill_rule rule)
-    : curves_(curves), bounds_(internal::bounds_of_closed(curves, rule)), boundary_(internal::axis_boundary(bounds_)) {}
+struct Maximal_discs_2::Boundary {
+  const Bounding_arc_tree_2& curves;
+  internal::Bounding_parts bounds;
+  internal::Axis_boundary boundary;
+
+  Boundary(const Bounding_arc_tree_2& tree, Fill_rule rule)
+      : curves(tree), bounds(internal::bounds_of_closed(tree, rule)), boundary(internal::axis_boundary(bounds)) {}
+
+  [[nodiscard]] std::optional<std::uint32_t> segment_of(const Curve_place& place) const;
+  [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
+};
+
+Maximal_discs_2::Maximal_discs_2(const Bounding_arc_tree_2& tree, Fill_rule rule)
+    : boundary_(std::make_shared<const Boundary>(tree, rule)) {}
 
 std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
-  const auto& all = curves_.drawing().curves();
+  const auto& all = boundary_->curves.drawing().curves();
   if (place.curve >= all.size() || place.bezier >= all[place.curve].beziers.size() || !(place.t >= 0 && place.t <= 1))
     throw std::invalid_argument(
         expected("place", "one of the drawing",
                  "curve " + text_of(place.curve) + ", piece " + text_of(place.bezier) + ", t " + text_of(place.t)));
-  const std::optional<std::uint32_t> segment = segment_of(place);
+  const std::optional<std::uint32_t> segment = boundary_->segment_of(place);
   if (!segment) return std::nullopt;
-  for (const std::uint32_t e : boundary_.sides(*segment).of)
-    if (e != internal::Axis_boundary::NONE) return at(boundary_.place(e, place.t));
+  for (const std::uint32_t e : boundary_->boundary.sides(*segment).of)
+    if (e != internal::Axis_boundary::NONE) return boundary_->at(boundary_->boundary.place(e, place.t));
   return std::nullopt;
 }
 
-std::optional<std::uint32_t> Maximal_discs_2::segment_of(const Curve_place& place) const {
-  const Segment_hierarchy& parts = bounds_.segments;
+std::optional<std::uint32_t> Maximal_discs_2::Boundary::segment_of(const Curve_place& place) const {
+  const Segment_hierarchy& parts = bounds.segments;
   const auto count = static_cast<std::uint32_t>(parts.number_of_segments());
   std::uint32_t low = 0, high = count;  // the first one that does not end before the place
   while (low < high) {
@@ -77,16 +91,16 @@ std::optional<std::uint32_t> Maximal_discs_2::segment_of(const Curve_place& plac
   return has_place ? std::optional(low) : std::nullopt;
 }
 
-Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
-  const internal::Boundary_jet jet = boundary_(p);
+Maximal_disc Maximal_discs_2::Boundary::at(const internal::Boundary_place& p) const {
+  const internal::Boundary_jet jet = boundary(p);
   const double curvature = jet.speed > 0 ? jet.turn / jet.speed : 0;
-  double most = boundary_.largest_radius();
+  double most = boundary.largest_radius();
   if (curvature * most > 1) most = 1 / curvature;
-  const internal::Not_segment others{boundary_, boundary_.element(p.element).segment};
-  internal::Disc_search<internal::Not_segment> search(boundary_, others, jet.point, jet.normal(), most);
+  const internal::Not_segment others{boundary, boundary.element(p.element).segment};
+  internal::Disc_search<internal::Not_segment> search(boundary, others, jet.point, jet.normal(), most);
   search.search();
-  Maximal_disc disc{curves_.unit().out(search.center()), curves_.unit().out(search.radius()), std::nullopt};
-  if (search.is_found()) disc.touches = boundary_.curve_place(search.place());
+  Maximal_disc disc{curves.unit().out(search.center()), curves.unit().out(search.radius()), std::nullopt};
+  if (search.is_found()) disc.touches = boundary.curve_place(search.place());
   return disc;
 }
 

@@ -8,13 +8,14 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Axis_builder.h"
+#include "Bounding_parts.h"
 #include "check_discs.h"
 #include "make_axis_boundary.h"
 

@@ -4,10 +4,11 @@
 //
 // Bodies of medial_axis/trimmed.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Axis_trimmer.h"
+#include "Bounding_parts.h"
 
 #include <utility>
 

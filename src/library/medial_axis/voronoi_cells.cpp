@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,8 @@
 #include "Wall_contacts.h"
 
 #include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include "../query/Closest_search.h"
+#include "../tree/Segment_hierarchy.h"
 #include "make_axis_boundary.h"
 
 #include <algorithm>

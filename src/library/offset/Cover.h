@@ -11,8 +11,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OFFSET_COVER_H
 #define BOUNDING_ARCS_LIBRARY_OFFSET_COVER_H
 
-#include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
 #include "Raw_offset.h"
+#include "Source_arcs.h"
 
 #include <algorithm>
 #include <cmath>

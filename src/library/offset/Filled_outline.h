@@ -14,8 +14,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
 #include "Raw_offset.h"
+#include "Source_arcs.h"
 #include "Tolerant_trimmer.h"
 
 #include <algorithm>

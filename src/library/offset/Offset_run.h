@@ -16,8 +16,8 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "Offset_job.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 //
 // Bodies of offset/Offset_source_2.h.
 
+#include "Offset_run.h"
+#include "Offset_sources.h"
 #include "few_pieces.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
@@ -13,8 +15,7 @@
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
-#include "Filled_outline.h"
-#include "Offset_run.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,8 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
 
 /// A part of the tolerance: arcs as short as that are none.
 constexpr double OF_TINY_ARCS = 0x1p-10;
@@ -43,13 +46,8 @@ constexpr double OF_ARCS = 0.75;
   return size;
 }
 
-struct Offset_source_2::Lazy_outline {
-  std::mutex mutex;
-  std::optional<internal::Filled_outline> outline;
-};
-
-Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, const internal::Offset_job& job)
-    : unit_(tree.unit()), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
+Offset_sources::Offset_sources(const Bounding_arc_tree_2& tree, const Offset_job& job)
+    : unit_(tree.unit()), job_(checked(job)) {
   add_segments(tree.in_unit());
   chain_error_ += OF_TINY_ARCS * job_.eps + unit_.in(tree.rounding());
   part_closed_and_open();
@@ -57,7 +55,7 @@ Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, const internal
 
 // Curves are made arcs of some hundred at a time: what arcs are fitted to takes ten times as much memory as what is
 // kept.
-void Offset_source_2::add_segments(const Segment_hierarchy& segments) {
+void Offset_sources::add_segments(const Segment_hierarchy& segments) {
   constexpr std::size_t AT_ONCE = 2048;  // Bezier pieces
   const auto& curves = segments.drawing().curves();
   const std::size_t pieces = segments.number_of_beziers();
@@ -74,7 +72,7 @@ void Offset_source_2::add_segments(const Segment_hierarchy& segments) {
   }
 }
 
-void Offset_source_2::add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last) {
+void Offset_sources::add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last) {
   const auto& curves = segments.drawing().curves();
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(segments, segments.drawing(), first, last);
   const Arc_chain chain = arc_chain(spirals, OF_ARCS * job_.eps);
@@ -99,8 +97,8 @@ void Offset_source_2::add_curves(const Segment_hierarchy& segments, std::size_t 
   }
 }
 
-Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, const internal::Offset_job& job)
-    : unit_(Unit::of_size(coordinate_size(chains))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
+Offset_sources::Offset_sources(const std::vector<Offset_chain>& chains, const Offset_job& job)
+    : unit_(Unit::of_size(coordinate_size(chains))), job_(checked(job)) {
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
     std::vector<Chain_arc_2> arcs;
     for (const Offset_piece& p : chains[i].pieces) {
@@ -115,7 +113,7 @@ Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, const 
   part_closed_and_open();
 }
 
-internal::Offset_job Offset_source_2::checked(internal::Offset_job job) const {
+Offset_job Offset_sources::checked(Offset_job job) const {
   if (!(job.eps > 0) || !std::isfinite(job.eps))
     throw std::invalid_argument(expected("eps", "a finite number above 0", job.eps));
   if (!(job.miter_limit >= 1))
@@ -125,21 +123,21 @@ internal::Offset_job Offset_source_2::checked(internal::Offset_job job) const {
   return job;
 }
 
-void Offset_source_2::part_closed_and_open() {
+void Offset_sources::part_closed_and_open() {
   all_.finish();
   // points are open curves, but for what is left of closed ones
-  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed || c.is_speck; };
+  const auto is_closed = [](const Source_curve& c) { return c.is_closed || c.is_speck; };
   has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
   has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
   if (!has_both_) return;
-  for (const internal::Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
+  for (const Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
   closed_.finish();
   open_.finish();
 }
 
 // A closed curve that is small or thin beside eps is followed more closely, until its arcs tell what it runs round.
-void Offset_source_2::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                                std::uint32_t curve, bool is_closed, const Xy<double>& start) {
+void Offset_sources::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                               std::uint32_t curve, bool is_closed, const Xy<double>& start) {
   constexpr int TIMES = 4;
   constexpr double CLOSER = 0x1p-4;
   double eps = job_.eps;
@@ -155,8 +153,8 @@ void Offset_source_2::add_curve(std::vector<Chain_arc_2> arcs, const std::vector
     for (const Chain_arc_2& a : arcs) error = (std::max)(error, a.error);
     add_arcs(arcs, spirals, curve, is_closed, start, eps);
     all_.end_curve(eps, error);
-    const internal::Source_curve& c = all_.curves.back();
-    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !internal::is_thin(c))) return;
+    const Source_curve& c = all_.curves.back();
+    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !is_thin(c))) return;
     eps = (std::min)(c.eps, CLOSER * eps);
     all_.remove_last();
     const std::size_t first = arcs.front().spiral, last = arcs.back().spiral;
@@ -168,9 +166,8 @@ void Offset_source_2::add_curve(std::vector<Chain_arc_2> arcs, const std::vector
   }
 }
 
-void Offset_source_2::add_arcs(const std::vector<Chain_arc_2>& arcs,
-                               const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
-                               const Xy<double>& start, double eps) {
+void Offset_sources::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                              std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps) {
   all_.begin_curve(is_closed, start);
   const std::size_t begin = all_.arcs.size();
   // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
@@ -188,14 +185,14 @@ void Offset_source_2::add_arcs(const std::vector<Chain_arc_2>& arcs,
   else all_.add_point(curve, !arcs.empty());
 }
 
-static void note_unresolved(const internal::Filled_outline& outline, Offset& offset) {
+static void note_unresolved(const Filled_outline& outline, Offset& offset) {
   if (outline.is_resolved()) return;
   offset.status = Offset_status::UNRESOLVED;
   offset.unresolved = outline.unresolved();
 }
 
 // Everything back from the unit.
-Offset Offset_source_2::out(Offset offset) const {
+Offset Offset_sources::out(Offset offset) const {
   constexpr int OF_AREAS = 2;
   if (offset.unresolved) offset.unresolved = unit_.out(*offset.unresolved);
   offset.error = unit_.bounds_out(Bracket{0, offset.error}).upper;
@@ -211,7 +208,7 @@ Offset Offset_source_2::out(Offset offset) const {
   return offset;
 }
 
-Offset Offset_source_2::at(double d) const {
+Offset Offset_sources::at(double d) const {
   constexpr double LEAST = 0x1p-250, MOST = 0x1p150;  // products of four lengths stay in range
   if (!std::isfinite(d)) throw std::invalid_argument(expected("distance", "a finite number", d));
   const double exact = std::fabs(unit_.in(d));
@@ -224,13 +221,13 @@ Offset Offset_source_2::at(double d) const {
   return offset;
 }
 
-Offset Offset_source_2::in_unit_at(double d, double error) const {
+Offset Offset_sources::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
   offset.side = job_.side;
-  const auto run = [&](const internal::Source_arcs& sources) { internal::Offset_run(sources, job_, d).add_to(offset); };
+  const auto run = [&](const Source_arcs& sources) { Offset_run(sources, job_, d).add_to(offset); };
   if (d < 0 && has_closed_ && job_.side == Offset_side::BOTH) {
-    const internal::Filled_outline& outline = *filled().outline;
+    const Filled_outline& outline = filled();
     run(outline.has_walls() ? outline.chains() : closed());
     if (outline.has_walls()) offset.error += outline.error();
     note_unresolved(outline, offset);
@@ -247,30 +244,57 @@ Offset Offset_source_2::in_unit_at(double d, double error) const {
   return offset;
 }
 
-void Offset_source_2::finish_status(Offset& offset) const {
+void Offset_sources::finish_status(Offset& offset) const {
   if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= job_.eps))
     offset.status = Offset_status::RESOLUTION_REACHED;
 }
 
-const Offset_source_2::Lazy_outline& Offset_source_2::filled() const {
-  const std::lock_guard<std::mutex> lock(filled_->mutex);
-  if (!filled_->outline) filled_->outline.emplace(closed(), job_.rule, job_.eps);
+const Filled_outline& Offset_sources::filled() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!filled_) filled_.emplace(closed(), job_.rule, job_.eps);
   return *filled_;
 }
 
-std::vector<std::uint32_t> Offset_source_2::left_out() const {
-  return has_closed_ ? filled().outline->left_out() : std::vector<std::uint32_t>();
+std::vector<std::uint32_t> Offset_sources::left_out() const {
+  return has_closed_ ? filled().left_out() : std::vector<std::uint32_t>();
 }
 
-Offset Offset_source_2::outline() const {
+Offset Offset_sources::outline() const {
   if (!has_closed_) return {};
-  const internal::Filled_outline& outline = *filled().outline;
+  const Filled_outline& outline = filled();
   Offset offset = unmoved(outline.with_chosen(closed()), chain_error_ + outline.error());
   note_unresolved(outline, offset);
   finish_status(offset);
   return out(std::move(offset));
 }
 
+Offset Offset_sources::unmoved(const Source_arcs& sources, double error) const {
+  Offset offset;
+  offset.error = error;
+  for (const Source_curve& c : sources.curves) {
+    if (!c.is_closed) continue;
+    Offset_chain chain;
+    for (std::uint32_t i = c.begin; i < c.end; ++i) {
+      const Source_arc& s = sources.arcs[i];
+      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true, 0});
+    }
+    chain.area = c.area;
+    chain.is_ccw = c.area > 0;
+    offset.chains.push_back(std::move(chain));
+  }
+  nest(offset.chains, 0);
+  make_few(offset, job_.eps, sources.room(0));
+  return offset;
+}
+
+}  // namespace internal
+
+Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options)
+    : sources_(std::make_shared<const internal::Offset_sources>(tree, internal::offset_job(eps, options))) {}
+Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options)
+    : sources_(std::make_shared<const internal::Offset_sources>(chains, internal::offset_job(eps, options))) {}
+
+Offset Offset_source_2::at(double d) const { return sources_->at(d); }
 std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {
   std::vector<Offset> result;
   result.reserve(distances.size());
@@ -278,23 +302,8 @@ std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) co
   return result;
 }
 
-Offset Offset_source_2::unmoved(const internal::Source_arcs& sources, double error) const {
-  Offset offset;
-  offset.error = error;
-  for (const internal::Source_curve& c : sources.curves) {
-    if (!c.is_closed) continue;
-    Offset_chain chain;
-    for (std::uint32_t i = c.begin; i < c.end; ++i) {
-      const internal::Source_arc& s = sources.arcs[i];
-      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true, 0});
-    }
-    chain.area = c.area;
-    chain.is_ccw = c.area > 0;
-    offset.chains.push_back(std::move(chain));
-  }
-  internal::nest(offset.chains, 0);
-  make_few(offset, job_.eps, sources.room(0));
-  return offset;
-}
+Offset Offset_source_2::outline() const { return sources_->outline(); }
+std::vector<std::uint32_t> Offset_source_2::left_out() const { return sources_->left_out(); }
+std::size_t Offset_source_2::number_of_arcs() const { return sources_->number_of_arcs(); }
 
 }  // namespace CGAL::Bounding_arcs

@@ -13,8 +13,8 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_RAW_OFFSET_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
+#include "Offset_job.h"
+#include "Source_arcs.h"
 
 #include <array>
 #include <cmath>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
+#include "Arc_blocks.h"
 #include "Raw_offset.h"
 #include "offset_chains.h"
 

@@ -8,7 +8,7 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_OFFSET_CHAINS_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Arc_rings.h>
+#include "Arc_rings.h"
 #include "Trimmer.h"
 
 #include <algorithm>

@@ -4,6 +4,8 @@
 //
 // Bodies of offset/offset_series.h.
 
+#include "Offset_sources.h"
+
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
@@ -21,7 +23,7 @@ std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double 
   job.drops_open = true;  // bands, which points have, too, would never vanish
   if (!(step > eps)) throw std::invalid_argument(expected("step", "a number above eps, " + text_of(eps), step));
   const CGAL::Bbox_2 box = tree.box();
-  const Offset_source_2 source(tree, job);
+  const internal::Offset_sources source(tree, job);
   const double largest = (std::min)(box.xmax() / 2 - box.xmin() / 2, box.ymax() / 2 - box.ymin() / 2);
   std::vector<Offset> result;
   for (double k = 1; k * step <= largest + eps; ++k) {

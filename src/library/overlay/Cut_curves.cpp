@@ -7,6 +7,7 @@
 #include "Cut_curves.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <stdexcept>

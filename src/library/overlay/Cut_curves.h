@@ -18,8 +18,8 @@
 #include "Joined_sets.h"
 #include "Meeting_places.h"
 
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include "../query/Curve_joints.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/line_pairs.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <CGAL/FPU.h>
 #include <CGAL/number_utils.h>

@@ -18,9 +18,9 @@
 #include "Exact_curve.h"
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include "../query/Numbered_intersections.h"
 #include "../query/exact_meetings.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <array>
 #include <cstddef>

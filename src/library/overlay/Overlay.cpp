@@ -8,6 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/Intersection_search.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <limits>

@@ -17,7 +17,7 @@
 #include "Cut_curves.h"
 #include "Vertex_order.h"
 
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <cstddef>
 #include <cstdint>

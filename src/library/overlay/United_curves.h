@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -11,6 +11,7 @@
 #include "United_curves.h"
 
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_AREA_SUM_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_AREA_SUM_H
 
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include "../curve/green.h"
+#include "../tree/Segment_hierarchy.h"
 #include "Lens.h"
 #include "refine_sum.h"
 

@@ -8,7 +8,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_CURVE_JOINTS_H
 
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <cstddef>
 #include <cstdint>

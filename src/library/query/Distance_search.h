@@ -15,13 +15,13 @@
 
 #include "Pair_newton.h"
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Foot.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Closest_search.h"
+#include "Foot.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <array>

@@ -22,7 +22,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_FARTHEST_BOUND_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_FARTHEST_BOUND_H
 
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
+#include "../tree/Spiral_piece_2.h"
 
 #include <algorithm>
 #include <cmath>

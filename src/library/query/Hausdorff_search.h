@@ -7,13 +7,13 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_HAUSDORFF_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_HAUSDORFF_SEARCH_H
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include <CGAL/assertions.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Closest_search.h"
 #include "Farthest_bound.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <cmath>

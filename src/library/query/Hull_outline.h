@@ -17,9 +17,9 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_HULL_OUTLINE_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_HULL_OUTLINE_H
 
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Hull_samples.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <array>

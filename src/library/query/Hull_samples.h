@@ -10,8 +10,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_HULL_SAMPLES_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_HULL_SAMPLES_H
 
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Work_limit.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>

@@ -8,8 +8,8 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_INTERSECTION_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include "../curve/exact_bezier.h"
+#include "../tree/Segment_hierarchy.h"
 #include "Pair_search.h"
 #include "exact_intersections.h"
 #include "join_intersections.h"

@@ -15,7 +15,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_LENS_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_PAIR_NEWTON_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_PAIR_NEWTON_H
 
-#include <CGAL/Bounding_arcs_2/query/internal/Foot.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Foot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_PAIR_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_PAIR_SEARCH_H
 
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Newton_box.h"
 
 #include <algorithm>

@@ -12,8 +12,8 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_RAY_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 #include "../polynomial/Real_root.h"
+#include "../tree/Segment_hierarchy.h"
 #include "exact_crossings.h"
 
 #include <algorithm>

@@ -21,7 +21,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 #include "exact_crossings.h"
 
 #include <CGAL/number_utils.h>

@@ -4,8 +4,9 @@
 //
 // Bodies of query/closest_point.h.
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Closest_search.h"
 #include "query_units.h"
 
 #include <limits>

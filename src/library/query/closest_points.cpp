@@ -6,11 +6,11 @@
 
 #include "query_units.h"
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Foot.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Closest_search.h"
+#include "Foot.h"
 
 #include <CGAL/assertions.h>
 

@@ -10,9 +10,9 @@
 #include "polygon_measures.h"
 #include "query_units.h"
 
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 // Bodies of query/distance.h.
 
 #include <CGAL/Bounding_arcs_2/query/distance.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Distance_search.h"
 #include "query_units.h"
 

@@ -11,7 +11,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_DOUBLE_DOUBLE_AREA_H
 
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Lens.h"
 
 #include <boost/container/small_vector.hpp>

@@ -8,8 +8,9 @@
 #include "Hull_samples.h"
 #include "query_units.h"
 
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Work_limit.h"
 
 #include <CGAL/Min_sphere_of_points_d_traits_2.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>

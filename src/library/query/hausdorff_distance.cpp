@@ -4,9 +4,10 @@
 //
 // Bodies of query/hausdorff_distance.h.
 
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Hausdorff_search.h"
+#include "Work_limit.h"
 #include "query_units.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 // Bodies of query/intersections.h.
 
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Intersection_search.h"
 #include "query_units.h"
 

@@ -9,7 +9,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_JOIN_INTERSECTIONS_H
 
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Curve_joints.h"
 #include "Numbered_intersections.h"
 

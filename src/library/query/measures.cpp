@@ -14,11 +14,11 @@
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Foot.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Foot.h"
+#include "Work_limit.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>

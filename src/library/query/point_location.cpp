@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Winding_search.h"
 #include "query_units.h"
 

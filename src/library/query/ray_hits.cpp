@@ -7,6 +7,7 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Ray_filter.h"
 #include "Ray_search.h"
 #include "query_units.h"

@@ -8,8 +8,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_REFINE_SUM_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_REFINE_SUM_H
 
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <optional>

@@ -7,8 +7,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_STUDY_REGION_DESCENT_H
 #define BOUNDING_ARCS_LIBRARY_STUDY_REGION_DESCENT_H
 
-#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
+#include "../query/Closest_search.h"
+#include "../query/Work_limit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,7 @@
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
 #include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 #include "Convex_region_2.h"
 #include "Fat_chain_2.h"
 

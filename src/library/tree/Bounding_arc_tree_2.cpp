@@ -4,9 +4,13 @@
 //
 // Bodies of Bounding_arc_tree_2.h.
 
+#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
+#include "Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +20,16 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+// \param largest of a coordinate
+// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
+static void check_curves(const Drawing_2<double>& drawing, double largest) {
+  for (const auto& curve : drawing.curves())
+    for (const Bezier_curve_2<double>& piece : curve.beziers) {
+      check_served(piece);
+      check_queried(piece, largest);
+    }
+}
 
 Bounding_arc_tree_2::Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions) {
   check_curves(*drawing, LARGEST_QUERIED);
@@ -54,6 +68,10 @@ std::shared_ptr<const Segment_hierarchy> Bounding_arc_tree_2::in_unit(const Unit
   const Drawing_2<Exact_rational> exact = exact_drawing();
   return made_in(unit, &exact, segments_->decisions());
 }
+
+const Drawing_2<double>& Bounding_arc_tree_2::drawing() const { return given_ ? *given_ : segments_->drawing(); }
+bool Bounding_arc_tree_2::empty() const { return segments_->empty(); }
+Decisions Bounding_arc_tree_2::decisions() const { return segments_->decisions(); }
 
 Bezier_curve_2<Exact_rational> Bounding_arc_tree_2::exact_bezier(std::size_t curve, std::size_t bezier) const {
   const Bezier_curve_2<Exact_rational> scaled = segments_->exact_bezier(segments_->number_of_bezier(curve, bezier));
@@ -134,5 +152,16 @@ CGAL::Bbox_2 Bounding_arc_tree_2::box() const {
   const Bracket x = unit_.bounds_out(Bracket{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bracket{b.ymin(), b.ymax()});
   return {x.lower, y.lower, x.upper, y.upper};
 }
+
+namespace internal {
+
+bool Tree_cuts::are_rounded() const { return tree_.in_unit().is_rounded(); }
+bool Tree_cuts::are_in_own_lengths() const { return &tree_.drawing() == &tree_.in_unit().drawing(); }
+Spiral_parameters Tree_cuts::operator()(std::size_t curve, std::size_t bezier) const {
+  const Segment_hierarchy& segments = tree_.in_unit();
+  return segments.cuts(segments.number_of_bezier(curve, bezier));
+}
+
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs

@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_VERIFY_CURVE_SIDES_H
 #define BOUNDING_ARCS_LIBRARY_VERIFY_CURVE_SIDES_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 #include "Axis_checker_curves.h"
 

@@ -11,6 +11,8 @@
 #include "../option_words.h"
 #include "../usage.h"
 
+#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+
 #include <CLI/CLI.hpp>
 
 #include <cerrno>

@@ -6,7 +6,7 @@
 
 #include "bulge_arcs.h"
 
-#include <CGAL/Bounding_arcs_2/offset/internal/Arc_rings.h>
+#include "../../../src/library/offset/Arc_rings.h"
 
 #include <gtest/gtest.h>
 

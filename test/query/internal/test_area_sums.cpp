@@ -4,6 +4,7 @@
 //
 // What areas are summed of.
 
+#include "../../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"
 

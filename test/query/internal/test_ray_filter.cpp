@@ -4,6 +4,7 @@
 //
 // Hits that doubles tell, beside those of exact arithmetic.
 
+#include "../../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"
 

@@ -4,6 +4,7 @@
 //
 // What is_valid() of trees and regions sees: copies with one thing broken.
 
+#include "../../../src/library/tree/Segment_hierarchy.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>

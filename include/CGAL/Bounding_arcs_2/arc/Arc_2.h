@@ -50,12 +50,6 @@ struct Arc_2 {
          std::fabs(arc.bulge) <= 1;
 }
 
-/// The length of a vector, whose square is a number.
-template <class NT> [[nodiscard]] NT euclidean_norm(const Xy<NT>& v) {
-  using std::sqrt;
-  return NT(sqrt(dot(v, v)));
-}
-
 /// The angle 2 atan b between the chord and the tangents at the ends, half of what the arc turns by.
 [[nodiscard]] inline double half_turn(const Arc_2& arc) { return 2 * std::atan(arc.bulge); }
 

@@ -9,11 +9,9 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MAXIMAL_DISC_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-#include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
@@ -44,12 +42,8 @@ class Maximal_discs_2 {
   [[nodiscard]] std::optional<Maximal_disc> operator()(const Curve_place& place) const;
 
  private:
-  [[nodiscard]] std::optional<std::uint32_t> segment_of(const Curve_place& place) const;
-  [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
-
-  const Bounding_arc_tree_2& curves_;
-  internal::Bounding_parts bounds_;
-  internal::Axis_boundary boundary_;
+  struct Boundary;
+  std::shared_ptr<const Boundary> boundary_;  // copies share it
 };
 
 /// The largest disc inside, with a bracket of its radius.

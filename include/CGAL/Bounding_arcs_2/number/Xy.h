@@ -9,6 +9,8 @@
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
+#include <cmath>
+
 namespace CGAL::Bounding_arcs {
 
 /// A point or a vector of the plane with coordinates of number type `NT`.
@@ -36,6 +38,12 @@ template <class NT> [[nodiscard]] constexpr NT dot(const Xy<NT>& p, const Xy<NT>
 
 /// p turned by +90 degrees.
 template <class NT> [[nodiscard]] Xy<NT> perp(const Xy<NT>& p) { return {NT(-p.y), p.x}; }
+
+/// The length of a vector, whose square is a number.
+template <class NT> [[nodiscard]] NT euclidean_norm(const Xy<NT>& v) {
+  using std::sqrt;
+  return NT(sqrt(dot(v, v)));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

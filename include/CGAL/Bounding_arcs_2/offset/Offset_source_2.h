@@ -13,12 +13,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 
-#include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstddef>
@@ -27,6 +22,10 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+class Offset_sources;  // src/library/offset/Offset_sources.h
+}
 
 /// A tree made ready for offsets at any number of distances.
 /// \code
@@ -39,14 +38,12 @@ class Offset_source_2 {
   /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for
   ///   curves out of the range of check_queried
-  Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options = {})
-      : Offset_source_2(tree, internal::offset_job(eps, options)) {}
+  Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options = {});
 
   /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
   /// are, so that no error is added.
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
-  Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {})
-      : Offset_source_2(chains, internal::offset_job(eps, options)) {}
+  Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {});
 
   /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
   /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
@@ -75,38 +72,10 @@ class Offset_source_2 {
   /// Offsets inwards leave them out.
   [[nodiscard]] std::vector<std::uint32_t> left_out() const;
 
-  [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
+  [[nodiscard]] std::size_t number_of_arcs() const;
 
  private:
-  struct Lazy_outline;
-  friend std::vector<Offset> insets(const Bounding_arc_tree_2&, double, double, const Offset_options&);
-
-  Offset_source_2(const Bounding_arc_tree_2& tree, const internal::Offset_job& job);
-  Offset_source_2(const std::vector<Offset_chain>& chains, const internal::Offset_job& job);
-
-  void add_segments(const Segment_hierarchy& segments);
-  void add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last);
-  void add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                 std::uint32_t curve, bool is_closed, const Xy<double>& start);
-  void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps);
-  void part_closed_and_open();
-  [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
-  [[nodiscard]] const Lazy_outline& filled() const;
-  [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
-  [[nodiscard]] Offset in_unit_at(double d, double error) const;
-  [[nodiscard]] Offset out(Offset offset) const;
-  void finish_status(Offset& offset) const;
-
-  [[nodiscard]] internal::Offset_job checked(internal::Offset_job job) const;
-
-  Unit unit_;  // of all that follows
-  internal::Offset_job job_;
-  internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
-  bool has_both_ = false, has_closed_ = false;
-  std::shared_ptr<Lazy_outline> filled_;  // not needed for d > 0
-  double chain_error_ = 0;
-  bool is_resolved_ = true;
+  std::shared_ptr<const internal::Offset_sources> sources_;  // copies share it
 };
 
 /// Returns the offset of a tree's curves at one distance, see Offset_source_2::at.

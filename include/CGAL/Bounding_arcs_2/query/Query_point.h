@@ -8,11 +8,11 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
-#include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
 #include <cmath>

@@ -7,13 +7,13 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
-#include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
-#include <algorithm>
+#include <CGAL/Bbox_2.h>
+
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -21,15 +21,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// \param largest of a coordinate
-/// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
-inline void check_curves(const Drawing_2<double>& drawing, double largest) {
-  for (const auto& curve : drawing.curves())
-    for (const Bezier_curve_2<double>& piece : curve.beziers) {
-      check_served(piece);
-      check_queried(piece, largest);
-    }
-}
+/// How searches answer what doubles leave open.
+enum class Decisions {
+  EXACT,  ///< by exact arithmetic: every verdict is right
+  DOUBLE  ///< not at all: a verdict may be `undecided`, within its bracket
+};
+
+class Segment_hierarchy;  // src/library/tree/Segment_hierarchy.h
 
 /// The tree that all algorithms descend: the spiral segments of a drawing's curves, cut once, under boxes. What is
 /// below a segment, pieces in bounding circular arcs, is made as a search goes there.
@@ -87,13 +85,13 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] bool is_valid() const;
 
   /// The curves, rounded to doubles where they had other numbers.
-  [[nodiscard]] const Drawing_2<double>& drawing() const { return given_ ? *given_ : segments_->drawing(); }
+  [[nodiscard]] const Drawing_2<double>& drawing() const;
   /// A Bezier piece of a curve as it is.
   [[nodiscard]] Bezier_curve_2<Exact_rational> exact_bezier(std::size_t curve, std::size_t bezier) const;
   /// The curves as they are.
   [[nodiscard]] Drawing_2<Exact_rational> exact_drawing() const;
-  [[nodiscard]] bool empty() const { return segments_->empty(); }
-  [[nodiscard]] Decisions decisions() const { return segments_->decisions(); }
+  [[nodiscard]] bool empty() const;
+  [[nodiscard]] Decisions decisions() const;
   /// How far the exact curves are from the rounded ones; 0 of doubles.
   [[nodiscard]] double rounding() const;
   /// A box of all curves; CGAL::Bbox_2(), which holds no point, where there are none.
@@ -101,7 +99,7 @@ class Bounding_arc_tree_2 {
 
   /// 1 for a drawing whose largest coordinate is between 2^-40 and 2^41.
   [[nodiscard]] const Unit& unit() const { return unit_; }
-  /// The segments in that unit.
+  /// The segments in that unit, for the library's own.
   [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
   /// The segments in another unit. \complexity linear in their number, without a cut as a rule; none for the same unit
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
@@ -119,21 +117,6 @@ class Bounding_arc_tree_2 {
   Unit unit_;
   std::shared_ptr<const Drawing_2<double>> given_;  // where the drawing is scaled
   std::shared_ptr<Segment_hierarchy> segments_;
-};
-
-/// The segments of two trees in the unit of the larger one.
-class Common_unit {
- public:
-  Common_unit(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b)
-      : unit_((std::max)(a.unit(), b.unit())), a_(a.in_unit(unit_)), b_(b.in_unit(unit_)) {}
-
-  [[nodiscard]] const Unit& unit() const { return unit_; }
-  [[nodiscard]] const Segment_hierarchy& a() const { return *a_; }
-  [[nodiscard]] const Segment_hierarchy& b() const { return *b_; }
-
- private:
-  Unit unit_;
-  std::shared_ptr<const Segment_hierarchy> a_, b_;
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -7,7 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_TREE_SPIRALS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_TREE_SPIRALS_H
 
+#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstddef>
@@ -17,16 +19,23 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Returns the spiral segments of some curves of a hierarchy, cut where it has cut them.
-/// \param drawing the same curves, over other numbers or in another unit
-template <class NT>
-[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
-    const Segment_hierarchy& segments, const Drawing_2<NT>& drawing, std::size_t first = 0,
-    std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
-  return spirals_between(drawing, first, last, [&](std::size_t curve, std::size_t bezier) {
-    return segments.cuts(segments.number_of_bezier(curve, bezier));
-  });
-}
+namespace internal {
+
+/// Where the curves of a tree have their spiral segments, for those over another number type.
+class Tree_cuts {
+ public:
+  explicit Tree_cuts(const Bounding_arc_tree_2& tree) : tree_(tree) {}
+
+  /// Whether a tree's segments are those of curves that doubles do not hold, and of them in its own lengths.
+  [[nodiscard]] bool are_rounded() const;
+  [[nodiscard]] bool are_in_own_lengths() const;
+  [[nodiscard]] Spiral_parameters operator()(std::size_t curve, std::size_t bezier) const;
+
+ private:
+  const Bounding_arc_tree_2& tree_;
+};
+
+}  // namespace internal
 
 /// Returns the spiral segments of the curves first, ..., last - 1 of a tree, in order; of all where none are named.
 /// \tparam NT the number type of regions: where it is exact, segments are those of the curves as they are
@@ -34,14 +43,14 @@ template <class NT = double>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
     const Bounding_arc_tree_2& tree, std::size_t first = 0,
     std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
-  const Segment_hierarchy& segments = tree.in_unit();
+  const internal::Tree_cuts cuts(tree);
   if constexpr (!std::is_floating_point_v<NT>)
-    if (segments.is_rounded()) return spiral_segments(converted<NT>(tree.exact_drawing()), first, last);
+    if (cuts.are_rounded()) return spiral_segments(converted<NT>(tree.exact_drawing()), first, last);
   // numbers that scaling has rounded are cut elsewhere
-  if (segments.is_rounded() && &tree.drawing() != &segments.drawing())
+  if (cuts.are_rounded() && !cuts.are_in_own_lengths())
     return spiral_segments(converted<NT>(tree.drawing()), first, last);
-  if constexpr (std::is_same_v<NT, double>) return spiral_segments(segments, tree.drawing(), first, last);
-  else return spiral_segments(segments, converted<NT>(tree.drawing()), first, last);
+  if constexpr (std::is_same_v<NT, double>) return spirals_between(tree.drawing(), first, last, cuts);
+  else return spirals_between(converted<NT>(tree.drawing()), first, last, cuts);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -7,14 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_CHECK_TREE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_CHECK_TREE_H
 
-#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
 
 #include <CGAL/Bbox_2.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -66,22 +63,6 @@ template <class Tree> [[nodiscard]] bool is_valid_tree(const Tree& tree) {
   for (const int times : seen)
     if (times != 1) return false;
   return has_leaves_side_by_side(tree);
-}
-
-/// Tells whether segments of one Bezier piece share the sample between them bit for bit, and samples are numbers.
-/// \param curves as Segment_hierarchy
-template <class Curves> [[nodiscard]] bool has_shared_samples(const Curves& curves) {
-  const auto is_number = [](const Spiral_sample& s) {
-    return s.t >= 0 && s.t <= 1 && std::isfinite(s.point.x) && std::isfinite(s.point.y);
-  };
-  for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i) {
-    const Spiral_piece_2 piece = curves.piece(i);
-    if (!is_number(piece.first) || !is_number(piece.last) || piece.segment != i) return false;
-    if (i == 0 || curves.bezier_of(i) != curves.bezier_of(i - 1)) continue;
-    const Spiral_sample before = curves.piece(i - 1).last;
-    if (before.t != piece.first.t || before.point != piece.first.point) return false;
-  }
-  return true;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

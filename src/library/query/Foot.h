@@ -11,10 +11,10 @@
 // g = (C - q).T, the least distance is at least sqrt(f - g^2 / m): so the bracket does not hang on how well they
 // converged, and pieces whose bracket is beyond what is looked for are left after the first step.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_FOOT_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_FOOT_H
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_FOOT_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_FOOT_H
 
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,13 +7,13 @@
 // Boxes, then regions of segments leave out what is too far.  A piece that is left has one nearest point, which is
 // found (Foot.h), or it is halved.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_SEARCH_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_SEARCH_H
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_CLOSEST_SEARCH_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_CLOSEST_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Foot.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Foot.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -5,12 +5,12 @@
 // What bounds the regions of an axis: parts of the curves of a drawing, which may cross.  An axis is made of these
 // alone, and its places are those of the curves.
 
-#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUNDING_PARTS_H
-#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUNDING_PARTS_H
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_BOUNDING_PARTS_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_BOUNDING_PARTS_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Directed_segment.h"
+#include "../tree/Segment_hierarchy.h"
 
 #include <cstdint>
 #include <memory>

@@ -9,13 +9,13 @@
 //   x ---->     above, below or to the left of x does not meet it, and what is to the right of x does as its chord
 //   does.
 
-#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_ARC_RINGS_H
-#define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_ARC_RINGS_H
+#ifndef BOUNDING_ARCS_LIBRARY_OFFSET_ARC_RINGS_H
+#define BOUNDING_ARCS_LIBRARY_OFFSET_ARC_RINGS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "Arc_blocks.h"
 
 #include <algorithm>
 #include <cstddef>

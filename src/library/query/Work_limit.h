@@ -4,8 +4,8 @@
 //
 // Limits of work.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_WORK_LIMIT_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_WORK_LIMIT_H
+#ifndef BOUNDING_ARCS_LIBRARY_QUERY_WORK_LIMIT_H
+#define BOUNDING_ARCS_LIBRARY_QUERY_WORK_LIMIT_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 

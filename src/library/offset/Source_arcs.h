@@ -5,14 +5,14 @@
 // The chains of arcs of some curves of a drawing, with their normals, and what is asked of them: whether something is
 // nearer than a distance, how often closed ones run round a point, and whether any two cross.
 
-#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_SOURCE_ARCS_H
-#define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_SOURCE_ARCS_H
+#ifndef BOUNDING_ARCS_LIBRARY_OFFSET_SOURCE_ARCS_H
+#define BOUNDING_ARCS_LIBRARY_OFFSET_SOURCE_ARCS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Arc_rings.h>
+#include "Arc_blocks.h"
+#include "Arc_rings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,22 +12,26 @@
 //
 // Lengths are taken for numbers near 1: Bounding_arc_tree_2 scales other drawings.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_SEGMENT_HIERARCHY_H
-#define CGAL_BOUNDING_ARCS_2_TREE_SEGMENT_HIERARCHY_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_SEGMENT_HIERARCHY_H
+#define BOUNDING_ARCS_LIBRARY_TREE_SEGMENT_HIERARCHY_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
+#include "Spiral_piece_2.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,12 +39,6 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-
-/// How searches answer what doubles leave open.
-enum class Decisions {
-  EXACT,  ///< by exact arithmetic: every verdict is right
-  DOUBLE  ///< not at all: a verdict may be `undecided`, within its bracket
-};
 
 /// A part of a segment, with how far it may be from the exact curve.
 struct Segment_part {
@@ -300,6 +298,52 @@ struct Spiral_halves_2 {
   const Spiral_sample middle = curves.sample(piece.segment, t);
   return Spiral_halves_2{{piece.segment, piece.first, middle}, {piece.segment, middle, piece.last}};
 }
+
+/// Returns the spiral segments of some curves of a hierarchy, cut where it has cut them.
+/// \param drawing the same curves, over other numbers or in another unit
+template <class NT>
+[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
+    const Segment_hierarchy& segments, const Drawing_2<NT>& drawing, std::size_t first = 0,
+    std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
+  return spirals_between(drawing, first, last, [&](std::size_t curve, std::size_t bezier) {
+    return segments.cuts(segments.number_of_bezier(curve, bezier));
+  });
+}
+
+/// The segments of two trees in the unit of the larger one.
+class Common_unit {
+ public:
+  Common_unit(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b)
+      : unit_((std::max)(a.unit(), b.unit())), a_(a.in_unit(unit_)), b_(b.in_unit(unit_)) {}
+
+  [[nodiscard]] const Unit& unit() const { return unit_; }
+  [[nodiscard]] const Segment_hierarchy& a() const { return *a_; }
+  [[nodiscard]] const Segment_hierarchy& b() const { return *b_; }
+
+ private:
+  Unit unit_;
+  std::shared_ptr<const Segment_hierarchy> a_, b_;
+};
+
+namespace internal {
+
+/// Tells whether segments of one Bezier piece share the sample between them bit for bit, and samples are numbers.
+/// \param curves as Segment_hierarchy
+template <class Curves> [[nodiscard]] bool has_shared_samples(const Curves& curves) {
+  const auto is_number = [](const Spiral_sample& s) {
+    return s.t >= 0 && s.t <= 1 && std::isfinite(s.point.x) && std::isfinite(s.point.y);
+  };
+  for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i) {
+    const Spiral_piece_2 piece = curves.piece(i);
+    if (!is_number(piece.first) || !is_number(piece.last) || piece.segment != i) return false;
+    if (i == 0 || curves.bezier_of(i) != curves.bezier_of(i - 1)) continue;
+    const Spiral_sample before = curves.piece(i - 1).last;
+    if (before.t != piece.first.t || before.point != piece.first.point) return false;
+  }
+  return true;
+}
+
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -4,8 +4,8 @@
 //
 // What an offset is made by: options, and how near it is to be.
 
-#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_JOB_H
-#define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_JOB_H
+#ifndef BOUNDING_ARCS_LIBRARY_OFFSET_OFFSET_JOB_H
+#define BOUNDING_ARCS_LIBRARY_OFFSET_OFFSET_JOB_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 

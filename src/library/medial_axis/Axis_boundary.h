@@ -12,10 +12,10 @@
 // An open curve is one ring, which runs along its left side, round its end, which is a corner of half a turn, back
 // along its right side and round its start.  A point is a ring of one corner, of a whole turn.
 
-#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_BOUNDARY_H
-#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_BOUNDARY_H
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_BOUNDARY_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_BOUNDARY_H
 
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 // Arcs in their order, eight a block, and a tree of boxes over the blocks: neighbours along a chain are near to each
 // other, so that a block's box is small, and the tree has an eighth of the items to sort.
 
-#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_ARC_BLOCKS_H
-#define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_ARC_BLOCKS_H
+#ifndef BOUNDING_ARCS_LIBRARY_OFFSET_ARC_BLOCKS_H
+#define BOUNDING_ARCS_LIBRARY_OFFSET_ARC_BLOCKS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>

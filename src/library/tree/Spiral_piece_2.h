@@ -6,8 +6,8 @@
 // Made from ends and tangents in plain doubles: what they miss is some ulp of the coordinates, which counts in the
 // radius, while brackets cannot be narrower.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_2_H
-#define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_2_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_SPIRAL_PIECE_2_H
+#define BOUNDING_ARCS_LIBRARY_TREE_SPIRAL_PIECE_2_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
