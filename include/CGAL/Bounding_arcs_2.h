@@ -34,7 +34,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
@@ -50,7 +49,6 @@
 #include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 #include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
-#include <CGAL/Bounding_arcs_2/region/Default_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fallbacks.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>

@@ -10,7 +10,7 @@
 #include "Recorded.h"
 
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 
 #include <map>

@@ -12,7 +12,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/region/Default_traits_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 // and each term of a bound is nearly used up by some operands, so that neither half of it nor twice as much would do.
 
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
-#include <CGAL/Bounding_arcs_2/number/Magnitude.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Pair.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -18,7 +18,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "extreme_pairs.h"
 
-#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>

@@ -6,7 +6,7 @@
 // are therefore true there. It holds, too, where a hunt has found that a figure errs most, and is not far above that.
 // The worst errors are in the test's report.
 
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include "cases.h"
 #include "proven_figures.h"

@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_TEST_SAGITTA_H
 #define BOUNDING_ARCS_TEST_SAGITTA_H
 
-#include <CGAL/Bounding_arcs_2/frame/Chord_angles_2.h>
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 
 namespace bounding_arcs_test {

@@ -13,7 +13,7 @@
 #ifndef BOUNDING_ARCS_TEST_EXACT_WINDINGS_H
 #define BOUNDING_ARCS_TEST_EXACT_WINDINGS_H
 
-#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
 #include <CGAL/Exact_integer.h>

@@ -11,7 +11,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>

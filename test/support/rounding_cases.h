@@ -8,7 +8,7 @@
 #ifndef BOUNDING_ARCS_TEST_ROUNDING_CASES_H
 #define BOUNDING_ARCS_TEST_ROUNDING_CASES_H
 
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include "proven_figures.h"
 #include "random_spirals.h"

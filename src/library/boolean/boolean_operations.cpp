@@ -11,7 +11,7 @@
 #include "Region_loops.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <algorithm>
 #include <cstddef>

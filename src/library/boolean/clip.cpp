@@ -9,7 +9,7 @@
 #include "../overlay/Meeting_places.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/clip.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include "../query/Intersection_search.h"
 #include "../query/Winding_search.h"
 #include "../tree/Segment_hierarchy.h"

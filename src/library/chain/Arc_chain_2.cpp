@@ -2,11 +2,11 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of chain/Arc_chain_2.h.
+// Bodies of chain/arc_chain.h.
 
 #include "../arc/Arc_text.h"
 
-#include <CGAL/Bounding_arcs_2/chain/Arc_chain_2.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 
 namespace CGAL::Bounding_arcs {
 

@@ -10,10 +10,8 @@
 #define BOUNDING_ARCS_LIBRARY_CHAIN_ARC_COLUMNS_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #include <cmath>
 #include <cstddef>

@@ -10,10 +10,9 @@
 #include "Local_polynomial.h"
 #include "arc_deviation.h"
 
-#include <CGAL/Bounding_arcs_2/chain/Arc_chain_2.h>
-#include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>

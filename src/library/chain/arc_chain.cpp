@@ -8,7 +8,6 @@
 #include "Spiral_arcs.h"
 #include "cubic_factor.h"
 
-#include <CGAL/Bounding_arcs_2/chain/Arc_chain_2.h>
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>

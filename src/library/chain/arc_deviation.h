@@ -8,7 +8,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_CHAIN_ARC_DEVIATION_H
 #define BOUNDING_ARCS_LIBRARY_CHAIN_ARC_DEVIATION_H
 
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include "Local_polynomial.h"
 
 #include <algorithm>

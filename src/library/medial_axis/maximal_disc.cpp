@@ -7,8 +7,8 @@
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include "../query/query_units.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Disc_search.h"

@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Axis_builder.h"
 #include "Bounding_parts.h"

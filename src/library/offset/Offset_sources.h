@@ -11,7 +11,7 @@
 #include "Offset_job.h"
 #include "Source_arcs.h"
 
-#include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>

@@ -2,10 +2,10 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of offset/offset_error.h.
+// Bodies of offset/offset_bracket.h.
 
 #include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 

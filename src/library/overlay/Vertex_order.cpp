@@ -6,7 +6,7 @@
 
 #include "Vertex_order.h"
 
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <CGAL/FPU.h>
 

@@ -11,7 +11,7 @@
 #include "Fibre_root.h"
 #include "exact_meetings.h"
 
-#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include "../polynomial/Integer_polynomial.h"
 #include "../polynomial/Real_root.h"
 

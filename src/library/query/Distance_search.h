@@ -16,7 +16,6 @@
 #include "Pair_newton.h"
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Closest_search.h"

@@ -8,7 +8,6 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_HAUSDORFF_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/assertions.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Closest_search.h"

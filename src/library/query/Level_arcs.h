@@ -14,7 +14,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_LEVEL_ARCS_H
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include "../polynomial/Real_root.h"
 #include "Fibre_root.h"
 

@@ -19,7 +19,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_NEWTON_BOX_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_NUMBERED_INTERSECTIONS_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_NUMBERED_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
 #include <cstdint>
 #include <utility>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include "../tree/Segment_hierarchy.h"
 
 #include <boost/container/small_vector.hpp>

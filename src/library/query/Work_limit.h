@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_WORK_LIMIT_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_WORK_LIMIT_H
 
-#include <CGAL/Bounding_arcs_2/query/Query_status.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <cstddef>
 

@@ -8,7 +8,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_LINE_PAIRS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
 #include <optional>
 

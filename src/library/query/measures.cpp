@@ -14,8 +14,8 @@
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Foot.h"
 #include "Work_limit.h"

@@ -19,7 +19,7 @@
 #include <CGAL/Bounding_arcs_2/study/Cost_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/internal/Enclosed_piece.h>
-#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
+#include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 #include "least_seconds.h"
 
 #include <gmp.h>

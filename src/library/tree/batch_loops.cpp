@@ -12,7 +12,7 @@
 #include "batch/top_levels.h"
 #include "for_instruction_sets.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
 
 namespace CGAL::Bounding_arcs::filter {

@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_TREE_FOR_INSTRUCTION_SETS_H
 #define BOUNDING_ARCS_LIBRARY_TREE_FOR_INSTRUCTION_SETS_H
 
-#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #ifdef BOUNDING_ARCS_ISA
 #define BOUNDING_ARCS_FOR_SETS(INSTANTIATE) INSTANTIATE(BOUNDING_ARCS_ISA);

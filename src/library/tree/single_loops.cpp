@@ -10,7 +10,7 @@
 #include "batch/arc_batch.h"
 #include "batch/bound_batch.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
 

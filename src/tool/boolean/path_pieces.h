@@ -10,7 +10,7 @@
 #include "../number_text.h"
 #include "../query/Query_answer.h"
 
-#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 

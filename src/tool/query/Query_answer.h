@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 
-#include <CGAL/Bounding_arcs_2/query/Query_status.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <nlohmann/json.hpp>

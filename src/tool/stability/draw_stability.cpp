@@ -10,7 +10,7 @@
 #include "../Commands.h"
 #include "../option_words.h"
 
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "../Commands.h"
 #include "../option_words.h"
 
-#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #include <cstdio>
 #include <map>

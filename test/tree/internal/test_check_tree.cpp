@@ -8,7 +8,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/region/Default_traits_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
 
 #include <gtest/gtest.h>

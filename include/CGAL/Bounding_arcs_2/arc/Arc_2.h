@@ -18,9 +18,8 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/assertions.h>

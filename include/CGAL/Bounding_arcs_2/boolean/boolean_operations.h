@@ -7,14 +7,77 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
 
-#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+// The boundary of a region that closed curves enclose, made of parts of these curves.
+
+/// What of several drawings makes a region.
+enum class Boolean_operation : std::uint8_t {
+  UNION,                ///< what any of them fills
+  INTERSECTION,         ///< what all of them fill
+  DIFFERENCE,           ///< what the first one fills and none of the others
+  SYMMETRIC_DIFFERENCE  ///< what an odd number of them fills
+};
+
+/// A part of one Bezier piece.
+struct Outline_part {
+  std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
+  std::uint32_t curve = 0;    ///< of that drawing
+  std::uint32_t bezier = 0;   ///< of that curve
+  Bracket from, to;           ///< hold the parameters of start and end, which may be nearer than doubles tell
+  bool is_reversed = false;   ///< whether the chain runs against the curve: `from` is above `to`
+  Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Outline_part& a) {
+    return out << a.operand << ' ' << a.curve << ' ' << a.bezier << ' ' << a.from << ' ' << a.to << ' ' << a.start
+               << ' ' << a.end;
+  }
+};
+
+/// A closed chain that does not meet itself but at single vertices.
+struct Outline_chain {
+  std::vector<Outline_part> parts;    ///< each starts where the one before ends, the first where the last one ends
+  bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
+  std::optional<std::size_t> parent;  ///< the innermost chain around it
+
+  /// Writes a line for each part.
+  friend std::ostream& operator<<(std::ostream& out, const Outline_chain& all) {
+    for (const Outline_part& one : all.parts) out << one << '\n';
+    return out;
+  }
+};
+
+/// The boundary of a region: its inside is to the left of all chains.
+/// \code
+/// const Outline_2 united = unite(tree, other);  // trees of closed curves, boolean_operations.h
+/// for (const Outline_chain& chain : united.chains)
+///   for (const Outline_part& part : chain.parts) std::cout << part.start.x << ' ' << part.start.y << '\n';
+/// \endcode
+struct Outline_2 {
+  std::vector<Outline_chain> chains;
+  Outline_status status = Outline_status::COMPLETE;
+  std::optional<Undecided_meeting> undecided;  ///< the first one, where `status` is UNDECIDED and that is known
+
+  /// Writes a line for each part of each chain, and an empty line behind the chain.
+  friend std::ostream& operator<<(std::ostream& out, const Outline_2& all) {
+    for (const Outline_chain& one : all.chains) out << one << '\n';
+    return out;
+  }
+};
 
 // An outline as curves in doubles, with how far rounding moved it.
 

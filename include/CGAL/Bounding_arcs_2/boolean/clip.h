@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -27,6 +28,11 @@ struct Clipped_part {
   Bracket from, to;                       ///< hold the parameters of start and end, which rise
   Xy<double> start, end;                  ///< these points but for rounding; parts of a piece share them bit for bit
   Point_side side = Point_side::OUTSIDE;  ///< ON: along a curve of the region, whatever that fills
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Clipped_part& a) {
+    return out << a.curve << ' ' << a.bezier << ' ' << a.from << ' ' << a.to << ' ' << a.start << ' ' << a.end;
+  }
 };
 
 /// All parts of some curves, in the order of the curves. The parts of a piece cover it.
@@ -38,6 +44,12 @@ struct Clipped_2 {
   std::vector<Clipped_part> parts;
   Outline_status status = Outline_status::COMPLETE;
   std::optional<Undecided_meeting> undecided;  ///< the first one, of curves as operand 0 and the region as operand 1
+
+  /// Writes a line for each part.
+  friend std::ostream& operator<<(std::ostream& out, const Clipped_2& all) {
+    for (const Clipped_part& one : all.parts) out << one << '\n';
+    return out;
+  }
 };
 
 /// Cuts the curves of a tree, open ones and closed ones, where they meet those of a region.

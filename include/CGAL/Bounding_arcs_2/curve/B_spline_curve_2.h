@@ -14,7 +14,6 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <CGAL/assertions.h>
@@ -23,6 +22,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -269,6 +269,20 @@ template <class NT> class B_spline_curve_2 {
       pieces.push_back(bezier(controls));
     }
     return pieces;
+  }
+
+  /// Writes a line for the degree and the knots, and one for each control point: x and y, and the weight of a rational
+  /// curve.
+  friend std::ostream& operator<<(std::ostream& out, const B_spline_curve_2& curve) {
+    out << curve.degree();
+    for (const NT& knot : curve.knots()) out << ' ' << knot;
+    out << '\n';
+    for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+      out << curve.control_points()[i];
+      if (curve.is_rational()) out << ' ' << curve.weights()[i];
+      out << '\n';
+    }
+    return out;
   }
 
  private:

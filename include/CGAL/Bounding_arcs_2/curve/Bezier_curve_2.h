@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -100,6 +101,16 @@ template <class NT> class Bezier_curve_2 {
   [[nodiscard]] Bezier_curve_2 reversed() const {
     return Bezier_curve_2(std::vector<Point>(control_points().rbegin(), control_points().rend()),
                           std::vector<NT>(weights().rbegin(), weights().rend()));
+  }
+
+  /// Writes a line for each control point: x and y, and the weight of a rational curve.
+  friend std::ostream& operator<<(std::ostream& out, const Bezier_curve_2& curve) {
+    for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+      out << curve.control_points()[i];
+      if (curve.is_rational()) out << ' ' << curve.weights()[i];
+      out << '\n';
+    }
+    return out;
   }
 
  private:

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -104,6 +105,13 @@ template <class NT> class Drawing_2 {
   [[nodiscard]] NT parameter(std::size_t curve, std::size_t bezier, const NT& t) const {
     const NT &first = curves_[curve].parameters[bezier], &last = curves_[curve].parameters[bezier + 1];
     return NT(first + t * (last - first));
+  }
+
+  /// Writes the control points of all Bezier pieces, with an empty line behind each piece.
+  friend std::ostream& operator<<(std::ostream& out, const Drawing_2& drawing) {
+    for (const Curve& curve : drawing.curves())
+      for (const Bezier_curve_2<NT>& piece : curve.beziers) out << piece << '\n';
+    return out;
   }
 
  private:

@@ -9,14 +9,59 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_CIRCLE_SEGMENT_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_CIRCLE_SEGMENT_CURVE_H
 
-#include <CGAL/Bounding_arcs_2/exchange/internal/exact_piece.h>
-#include <CGAL/Bounding_arcs_2/exchange/internal/write_x_monotone.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
+#include <CGAL/Bounding_arcs_2/region/variant.h>
 
 #include <CGAL/Arr_circle_segment_traits_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+// Splitting curves of CGAL's arrangements: the same with CGAL 5 and 6.
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// Writes the x-monotone parts of a curve, in the order in which the traits hand them out.
+template <class Traits, class OutputIterator>
+OutputIterator write_x_monotone(const typename Traits::Curve_2& curve, OutputIterator out) {
+  const auto keep = [&](const auto& object) {
+    if (const auto part = value_as<typename Traits::X_monotone_curve_2>(object)) *out++ = *part;
+  };
+  Traits().make_x_monotone_2_object()(curve, boost::make_function_output_iterator(keep));
+  return out;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
 namespace CGAL::Bounding_arcs {
+
+// The circle or line through the ends of an arc, over a field: five doubles are rational numbers, and so are the center
+// and the squared radius.  All that goes to CGAL is made of these pieces.
+
+/// The piece in the numbers of an exact kernel.
+template <class FT, class NT> [[nodiscard]] Boundary_piece_2<FT> piece_over(const Boundary_piece_2<NT>& p) {
+  static_assert(!std::is_floating_point_v<NT>, "a boundary in floating numbers misses its ends; hand over its arcs");
+  const auto point = [](const Xy<NT>& q) { return Xy<FT>{FT(q.x), FT(q.y)}; };
+  return {point(p.from), point(p.to), {point(p.support.point), point(p.support.normal), FT(p.support.curvature)}};
+}
+/// The piece of the arc's circle or line between its ends, over a field; of an arc in doubles exactly.
+/// \throws std::invalid_argument if a number is none
+template <class FT> [[nodiscard]] Boundary_piece_2<FT> exact_piece(const Arc_2& arc) {
+  for (const double x : {arc.from.x, arc.from.y, arc.to.x, arc.to.y, arc.bulge})
+    if (!std::isfinite(x)) throw std::invalid_argument(expected("arc", "finite coordinates and bulge", x));
+  return piece_on_chord(Xy<FT>{FT(arc.from.x), FT(arc.from.y)}, Xy<FT>{FT(arc.to.x), FT(arc.to.y)}, FT(arc.bulge));
+}
+/// \throws std::invalid_argument if the piece is a point, which has no circle
+template <class FT> void require_two_ends(const Boundary_piece_2<FT>& p) {
+  if (p.from == p.to) throw std::invalid_argument(expected("piece", "two different ends", "equal ones"));
+}
 
 // GCC takes a circle that CGAL's filter leaves unset for one that is used.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -16,8 +16,7 @@
 
 #include <CGAL/Arr_circular_line_arc_traits_2.h>
 
-#include <CGAL/Bounding_arcs_2/exchange/internal/exact_piece.h>
-#include <CGAL/Bounding_arcs_2/exchange/internal/write_x_monotone.h>
+#include <CGAL/Bounding_arcs_2/exchange/circle_segment_curve.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 

@@ -20,6 +20,8 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
+
 // The area along arcs of CGAL's circle segment traits, in intervals.
 
 using Area_interval = CGAL::Interval_nt<true>;
@@ -75,18 +77,20 @@ template <class Polygon> [[nodiscard]] Area_interval twice_area(const Polygon& p
   return sum;
 }
 
+}  // namespace internal
+
 /// The area of an Arc_polygon_2: positive if it runs counterclockwise.
 /// \guarantee certified; the bounds are some ulp of the coordinates times the perimeter apart
 template <class Traits> [[nodiscard]] Measure_bounds polygon_area(const CGAL::General_polygon_2<Traits>& polygon) {
-  const auto area = twice_area(polygon) / CGAL::Interval_nt<true>(2);
+  const auto area = internal::twice_area(polygon) / CGAL::Interval_nt<true>(2);
   return {area.inf(), area.sup()};
 }
 /// The area of an Arc_polygon_with_holes_2, whose holes run clockwise. \pre it is bounded
 template <class Polygon>
 [[nodiscard]] Measure_bounds polygon_area(const CGAL::General_polygon_with_holes_2<Polygon>& polygon) {
   CGAL_precondition(!polygon.is_unbounded());
-  CGAL::Interval_nt<true> sum = twice_area(polygon.outer_boundary());
-  for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) sum += twice_area(*hole);
+  CGAL::Interval_nt<true> sum = internal::twice_area(polygon.outer_boundary());
+  for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) sum += internal::twice_area(*hole);
   sum /= CGAL::Interval_nt<true>(2);
   return {sum.inf(), sum.sup()};
 }

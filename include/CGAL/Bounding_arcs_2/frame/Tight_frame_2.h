@@ -9,7 +9,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_FRAME_TIGHT_FRAME_2_H
 #define CGAL_BOUNDING_ARCS_2_FRAME_TIGHT_FRAME_2_H
 
-#include <CGAL/Bounding_arcs_2/frame/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>

@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_BOUNDED_DOUBLE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_BOUNDED_DOUBLE_H
 
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <boost/config.hpp>
 

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_BRACKET_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_BRACKET_H
 
+#include <ostream>
+
 namespace CGAL::Bounding_arcs {
 
 /// A number is between these: `lower <= x && x <= upper`.
@@ -18,6 +20,9 @@ struct Bracket {
   /// Whether it is one double, so that the number is that.
   [[nodiscard]] bool is_single() const { return lower == upper; }
   [[nodiscard]] bool touches(const Bracket& other) const { return lower <= other.upper && other.lower <= upper; }
+
+  /// Writes both bounds, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Bracket& b) { return out << b.lower << ' ' << b.upper; }
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <cmath>
+#include <ostream>
 
 namespace CGAL::Bounding_arcs {
 
@@ -24,6 +25,9 @@ template <class NT> struct Xy {
   friend constexpr Xy operator*(const NT& s, const Xy& p) { return {NT(s * p.x), NT(s * p.y)}; }
   friend bool operator==(const Xy& p, const Xy& q) { return p.x == q.x && p.y == q.y; }
   friend bool operator!=(const Xy& p, const Xy& q) { return !(p == q); }
+
+  /// Writes x and y, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Xy& p) { return out << p.x << ' ' << p.y; }
 };
 
 /// The determinant |p q|, positive when q lies to the left of p.

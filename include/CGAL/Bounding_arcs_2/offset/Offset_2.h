@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -112,6 +113,12 @@ struct Offset {
   /// whose box holds it.
   /// \complexity linear in the pieces
   [[nodiscard]] bool is_valid() const;
+
+  /// Writes a line for each piece of each chain, as Offset_chain does, and an empty line behind the chain.
+  friend std::ostream& operator<<(std::ostream& out, const Offset& all) {
+    for (const Offset_chain& one : all.chains) out << one << '\n';
+    return out;
+  }
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -32,12 +33,20 @@ struct Overlay_vertex {
   Xy<double> point;                   ///< the vertex but for rounding
   Bracket x, y;                       ///< hold its coordinates
   std::optional<std::uint32_t> face;  ///< the face that it is in, of a vertex without edges
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Overlay_vertex& a) { return out << a.x << ' ' << a.y; }
 };
 
 /// A part of a Bezier piece.
 struct Overlay_part {
   std::uint32_t bezier = 0;  ///< of its curve
   Bracket from, to;          ///< hold the parameters of start and end, which may be nearer than doubles tell
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Overlay_part& a) {
+    return out << a.bezier << ' ' << a.from << ' ' << a.to;
+  }
 };
 
 /// A curve that runs along an edge.

@@ -10,15 +10,26 @@
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
-#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
 #include <cmath>
+#include <cstdint>
+#include <ostream>
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
+
+// How a search ended.  Its bracket holds the true number whatever the status is.
+
+/// How a search ended.
+enum class Query_status : std::uint8_t {
+  COMPLETE,            ///< the bracket is as narrow as was asked, or as doubles tell where no tolerance was
+  RESOLUTION_REACHED,  ///< the bracket is wider than the tolerance, as doubles tell no more
+  LIMIT_REACHED        ///< the bracket is wider: the search took as much work as one in a drawing of this size may take
+};
 
 /// A point of a drawing and its distance from the point that was asked about.
 /// \code
@@ -34,6 +45,11 @@ template <class Point = Xy<double>> struct Closest_point {
 
   template <class Other> operator Closest_point<Other>() const {  // NOLINT: the same with another kernel's point
     return {distance, answered<Other>(point), place, status};
+  }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Closest_point& a) {
+    return out << a.distance << ' ' << a.point << ' ' << a.place;
   }
 };
 
@@ -52,12 +68,22 @@ template <class Point = Xy<double>> struct Signed_distance {
   template <class Other> operator Signed_distance<Other>() const {  // NOLINT: the same with another kernel's point
     return {distance, side, answered<Other>(point), place, status};
   }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Signed_distance& a) {
+    return out << a.distance << ' ' << a.point << ' ' << a.place;
+  }
 };
 
 /// A point of one of two drawings.
 template <class Point = Xy<double>> struct Drawing_point {
   Point point;  ///< on the curve but for rounding
   Curve_place place;
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Drawing_point& a) {
+    return out << a.point << ' ' << a.place;
+  }
 };
 
 /// A distance of two drawings and the points, one of each, where it is.
@@ -72,6 +98,11 @@ template <class Point = Xy<double>> struct Drawing_distance {
 
   template <class Other> operator Drawing_distance<Other>() const {  // NOLINT: the same with another kernel's points
     return {distance, {answered<Other>(a.point), a.place}, {answered<Other>(b.point), b.place}, status};
+  }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Drawing_distance& a) {
+    return out << a.distance << ' ' << a.a << ' ' << a.b;
   }
 };
 

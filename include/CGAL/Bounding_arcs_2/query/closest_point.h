@@ -7,14 +7,33 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
-#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <cstddef>
 #include <optional>
 #include <vector>
+
+// The nearest points to many points.
+
+namespace CGAL::Bounding_arcs::internal {
+
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+[[nodiscard]] std::vector<Closest_point<>> closest_points_of_all(const Bounding_arc_tree_2& curves,
+                                                                 const std::vector<Asked_point>& points) {
+  for (const Asked_point& q : points) check_point(q.point);
+  if (curves.empty()) return {};
+  std::vector<Closest_point<>> results(points.size());
+  for_each_range<ConcurrencyTag>(points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      results[i] =
+          i == begin ? *closest_point(curves, points[i]) : *closest_point(curves, points[i], results[i - 1].place);
+  });
+  return results;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
 

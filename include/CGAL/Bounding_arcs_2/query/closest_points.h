@@ -7,9 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
 #include <cstddef>
 #include <vector>

@@ -7,13 +7,13 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -27,6 +27,11 @@ template <class Point = Xy<double>> struct Hull_piece {
   Hull_piece_kind kind = Hull_piece_kind::CURVE;
   Curve_place from, to;
   Point from_point, to_point;
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Hull_piece& a) {
+    return out << a.from_point << ' ' << a.to_point << ' ' << a.from << ' ' << a.to;
+  }
 };
 
 /// The convex hull of a drawing: pieces counterclockwise, each of which starts where the one before ends. The hull of a
@@ -46,6 +51,12 @@ template <class Point = Xy<double>> struct Convex_hull {
       result.pieces.push_back({p.kind, p.from, p.to, answered<Other>(p.from_point), answered<Other>(p.to_point)});
     return result;
   }
+
+  /// Writes a line for each piece.
+  friend std::ostream& operator<<(std::ostream& out, const Convex_hull& hull) {
+    for (const auto& p : hull.pieces) out << p << '\n';
+    return out;
+  }
 };
 
 /// The least distance of two parallel lines that all curves are between.
@@ -58,6 +69,11 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
 
   template <class Other> operator Width_of_drawing<Other>() const {  // NOLINT: the same with another kernel's vector
     return {width, answered<Other>(along)};
+  }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Width_of_drawing& a) {
+    return out << a.width << ' ' << a.along;
   }
 };
 
@@ -72,6 +88,11 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
 
   template <class Other> operator Diameter_of_drawing<Other>() const {  // NOLINT: the same with another kernel's points
     return {diameter, first, second, answered<Other>(first_point), answered<Other>(second_point)};
+  }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Diameter_of_drawing& a) {
+    return out << a.diameter << ' ' << a.first_point << ' ' << a.second_point;
   }
 };
 

@@ -7,12 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
-#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <optional>
+#include <ostream>
 
 namespace CGAL::Bounding_arcs {
 
@@ -26,6 +25,11 @@ template <class Point = Xy<double>> struct Enclosing_circle {
 
   template <class Other> operator Enclosing_circle<Other>() const {  // NOLINT: the same with another kernel's point
     return {answered<Other>(center), radius};
+  }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Enclosing_circle& a) {
+    return out << a.center << ' ' << a.radius;
   }
 };
 

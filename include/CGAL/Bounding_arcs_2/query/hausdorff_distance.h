@@ -7,9 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_DISTANCE_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
 #include <optional>
 

@@ -7,10 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 
-#include <CGAL/Bounding_arcs_2/query/Query_status.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
+#include <ostream>
 
 namespace CGAL::Bounding_arcs {
 
@@ -23,6 +24,11 @@ namespace CGAL::Bounding_arcs {
 struct Measure_bounds {
   double lower, upper;
   Query_status status = Query_status::COMPLETE;
+
+  /// Writes both bounds, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Measure_bounds& b) {
+    return out << b.lower << ' ' << b.upper;
+  }
 };
 
 /// A box that holds the centroid.
@@ -31,6 +37,9 @@ struct Measure_bounds {
 /// \endcode
 struct Centroid_bounds {
   Measure_bounds x, y;
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Centroid_bounds& a) { return out << a.x << ' ' << a.y; }
 };
 
 /// Returns the length of all curves together.

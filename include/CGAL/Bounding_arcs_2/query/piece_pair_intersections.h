@@ -5,13 +5,13 @@
 // Common points of two single Bezier pieces, from their control points: for drawings see intersections.h.
 //
 // The plain algorithm is exact_intersections.  Before it stands a search in doubles over control polygons
-// (src/library/query/Polygon_search.h); where it leaves anything open, it is forgotten.
+// (src/library/query/piece_pair_intersections.cpp); where it leaves anything open, it is forgotten.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
 #include <optional>
 

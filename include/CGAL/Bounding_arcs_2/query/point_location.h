@@ -7,12 +7,30 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
 namespace CGAL::Bounding_arcs {
+
+// A check for what is asked of closed curves only.
+
+/// \throws std::invalid_argument if a curve is open, with its number, from 0, and its name
+template <class NT> void check_closed(const Drawing_2<NT>& drawing) {
+  for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
+    const auto& curve = drawing.curves()[i];
+    if (curve.is_closed) continue;
+    const std::string name = curve.name.empty() ? std::string() : " '" + curve.name + "'";
+    throw std::invalid_argument(
+        expected("curve " + text_of(i) + name, "a closed curve, which has an inside", "an open one"));
+  }
+}
 
 /// Point location for many points: that all curves of a tree are closed is checked once.
 /// \code

@@ -7,10 +7,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -28,6 +28,11 @@ template <class Point = Xy<double>> struct Ray_hit {
 
   template <class Other> operator Ray_hit<Other>() const {  // NOLINT: the same with another kernel's point
     return {place, answered<Other>(point), distance, is_along};
+  }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Ray_hit& a) {
+    return out << a.place << ' ' << a.point << ' ' << a.distance;
   }
 };
 

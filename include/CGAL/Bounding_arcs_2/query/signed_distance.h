@@ -8,10 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_SIGNED_DISTANCE_H
 
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
-#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <cmath>

@@ -9,7 +9,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 
-#include <CGAL/Bounding_arcs_2/frame/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 

@@ -7,6 +7,13 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_TRAITS_2_H
 
+// Before Circular_kernel_2: it makes the kernel compile over fundamental number types.
+#include <CGAL/Root_of_traits.h>
+
+#include <CGAL/Algebraic_kernel_for_circles_2_2.h>
+#include <CGAL/Circular_kernel_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Bounding_region_traits_2.h>
 
@@ -29,6 +36,16 @@ class Bca_traits_2 : public Bounding_region_traits_2<CircularKernel, Constructio
 
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Bca&, const Chord_shape_2<Exact_rational>&, double);
+
+/// The traits of a tree that names none: bounding circular arcs over doubles, with exact predicates.
+/// \code
+/// const Region_hierarchy_2<Default_traits_2> tree(drawing);  // or Bounding_arc_tree_2 tree(drawing)
+/// const Default_traits_2::Kernel::Point_2 nearest = closest_point(tree, {1, 1})->point;
+/// \endcode
+/// \cgalModels{BoundingRegionTraits_2}
+class Default_traits_2
+    : public Bca_traits_2<CGAL::Circular_kernel_2<CGAL::Exact_predicates_inexact_constructions_kernel,
+                                                  CGAL::Algebraic_kernel_for_circles_2_2<double>>> {};
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -4,7 +4,7 @@
 //
 // Bilens (Kurnosenko 2013): two biarcs, the tightest of those that touch a spiral at both ends.  The inner one starts
 // on the tight end's osculating circle, the outer one ends on the flat end's.  Derivation: doc/numerics.md; that the
-// curve is inside: verify/internal/prove_osculating.h.
+// curve is inside: verify/verify_region.h.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BILENS_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BILENS_H

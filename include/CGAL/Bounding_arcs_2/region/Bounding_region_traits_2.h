@@ -14,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 #include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
-#include <CGAL/Bounding_arcs_2/region/side_of_region.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 
 #include <CGAL/Bbox_2.h>

@@ -4,7 +4,7 @@
 //
 // Spiral fat arcs (Barton and Elber 2011).  Inner: along the tight end's osculating circle to j, then the tangent
 // segment to the flat end.  Outer: along the tight end's tangent to i, then the flat end's osculating circle.
-// Derivation: doc/numerics.md; that the curve is inside: verify/internal/prove_osculating.h.
+// Derivation: doc/numerics.md; that the curve is inside: verify/verify_region.h.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_H
 #define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_H

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -44,6 +45,11 @@ struct Segment_place {
 struct Curve_place {
   std::uint32_t curve, bezier;
   double t;  ///< of the Bezier piece, in [0, 1]
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Curve_place& a) {
+    return out << a.curve << ' ' << a.bezier << ' ' << a.t;
+  }
 };
 
 namespace segment_order {

@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Pair.h>
-#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/assertions.h>
 
 #include <cstddef>

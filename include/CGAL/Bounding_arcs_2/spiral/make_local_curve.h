@@ -10,12 +10,10 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/number/Magnitude.h>
 #include <CGAL/Bounding_arcs_2/number/Pair.h>
-#include <CGAL/Bounding_arcs_2/number/Ranged_magnitude.h>
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include <CGAL/Bounding_arcs_2/spiral/Rational_figures.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <algorithm>
 #include <cmath>

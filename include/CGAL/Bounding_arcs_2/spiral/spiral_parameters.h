@@ -19,7 +19,6 @@
 #include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/Cubic_roots.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/curve_numerators.h>
 
 #include <CGAL/FPU.h>
 

@@ -37,8 +37,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_BOX_TREE_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/assertions.h>

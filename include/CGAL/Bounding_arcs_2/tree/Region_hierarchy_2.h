@@ -14,14 +14,13 @@
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
+#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
 
 #include <CGAL/assertions.h>
@@ -89,7 +88,7 @@ template <class ConcurrencyTag, class Decider, class Spiral, class Nodes>
 
 namespace CGAL::Bounding_arcs {
 
-class Default_traits_2;  // region/Default_traits_2.h
+class Default_traits_2;  // region/Bca_traits_2.h
 
 /// Whether a type has what is looked at first of a model of BoundingRegionTraits_2.
 template <class T, class = void> inline constexpr bool is_region_traits_v = false;

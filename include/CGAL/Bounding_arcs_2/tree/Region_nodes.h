@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
 
+#include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/bits.h>
 
 #include <CGAL/tags.h>
 

@@ -3,15 +3,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The algorithm: a spiral segment is halved while its regions are too thick.  This is the path of every kernel and
-// curve without a filter; tree/internal/batch/Level_strategy.h makes the same nodes many at a time (Lee, Kim, Elber
+// curve without a filter; tree/internal/batch/Filtered_decider.h makes the same nodes many at a time (Lee, Kim, Elber
 // 2015, section 5).
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H
 
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 
@@ -21,6 +21,27 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+// Pieces of spiral segments, for regions.
+
+/// A piece of a spiral segment as regions are bounded from it: a model of ChordShapeSource.
+template <class Spiral> struct Piece_source {
+  using Exact_number_type = typename Spiral::Exact_number_type;
+  const Spiral& spiral;
+  double t0, t1;
+
+  template <class NT> [[nodiscard]] Chord_shape_2<NT> shape(const Shape_parts& parts) const {
+    return spiral.template shape<NT>(t0, t1, parts);
+  }
+};
+
+/// eps, or the least thickness that the coordinates and cuts of the segment resolve where that is larger.
+template <class Spiral> [[nodiscard]] double reachable(double eps, const Spiral& spiral) {
+  // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
+  // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
+  constexpr double RESOLUTION_PER_ERROR = 2;
+  return (std::max)(eps, RESOLUTION_PER_ERROR * (spiral.point_error() + spiral.cut_error()));
+}
 
 /// A segment whose whole region is thicker than this would need far more nodes than the limit: thickness falls with the
 /// cube of length, so about the cube root of thickness over eps pieces are needed. So no time is spent on what would

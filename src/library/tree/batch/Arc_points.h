@@ -34,7 +34,7 @@
 #define BOUNDING_ARCS_LIBRARY_TREE_BATCH_ARC_POINTS_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>

@@ -15,7 +15,7 @@
 #define BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_BOUNDS_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
 

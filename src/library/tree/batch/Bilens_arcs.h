@@ -35,7 +35,7 @@
 #include "Half_tangents.h"
 #include "Joint_arcs.h"
 
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <cmath>

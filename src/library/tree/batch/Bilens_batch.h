@@ -14,7 +14,7 @@
 #include "Rough_figures.h"
 #include "Tight_batch.h"
 
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include "Half_tangents.h"
 
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <cmath>
 

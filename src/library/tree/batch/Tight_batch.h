@@ -17,7 +17,7 @@
 
 #include "Batch_bounds.h"
 
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
 
 #include <cstddef>

@@ -9,8 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_QUESTIONS_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/number/always_inline.h>
-#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 

@@ -9,13 +9,11 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_FILTERED_DECIDER_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
-#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/Plain_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/bits.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 
 #include <CGAL/assertions.h>
