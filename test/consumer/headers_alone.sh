@@ -9,7 +9,7 @@ cd "$2"
 export compiler=$1 options='-std=c++17 -frounding-math -Werror -I .'
 # Headers that take long to read and that many others include: they are read once for all of these. Each stands before
 # those that it includes.
-bases='query/Closest_search.h tree/Bounding_arc_tree_2.h tree/Segment_hierarchy.h
+bases='tree/Bounding_arc_tree_2.h query/Query_point.h
   spiral/Bezier_spiral_2.h region/thickness_bound.h number/Root_number.h
   number/Mpfr_interval.h number/Exact_number.h number/convert.h number/number_types.h
   region/variant.h arc/Arc_2.h curve/Drawing_2.h curve/served_range.h

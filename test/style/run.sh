@@ -81,6 +81,12 @@ refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk
   ' README.md doc/index.md)"
 refuse 'README.md installs other packages than .ci/packages_build.txt lists:' \
   "$(diff <(sed -n 's/^apt-get install //p' README.md | tr ' ' '\n') .ci/packages_build.txt)"
+# What users can name is a list, so that a new name is a decision; --fix writes it.
+names=$(find include/CGAL/Bounding_arcs_2 -name '*.h' -not -path '*/internal/*' | LC_ALL=C sort |
+  xargs awk -f test/style/public_names.awk | LC_ALL=C sort -u)
+[ "${1:-}" != --fix ] || printf '%s\n' "$names" > test/style/public_names.txt
+refuse 'Names of public headers that are not in test/style/public_names.txt (>), or only there (<):' \
+  "$(diff test/style/public_names.txt <(printf '%s\n' "$names") | grep '^[<>]')"
 refuse 'Not in the folder of a room, of input or of tool:' \
   "$(find test -name 'test_*.cpp' | grep -vE "^test/(${rooms// /|}|input|tool)/(internal/)?[^/]+$")"
 exit $status

@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-// The length of a drawing between two bounds: each piece of a spiral segment is integrated (Speed_integral.h), and is
+// The length of a drawing between two bounds: each piece of a spiral segment is integrated (Speed_integral), and is
 // between its chord and arcs that touch it (Lens.h), which tells more next to cusps and of pieces that are short.
 
 namespace CGAL::Bounding_arcs::internal {

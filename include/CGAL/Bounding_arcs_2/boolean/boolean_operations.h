@@ -22,8 +22,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-// The boundary of a region that closed curves enclose, made of parts of these curves.
-
 /// What of several drawings makes a region.
 enum class Boolean_operation : std::uint8_t {
   UNION,                ///< what any of them fills
@@ -78,8 +76,6 @@ struct Outline_2 {
     return out;
   }
 };
-
-// An outline as curves in doubles, with how far rounding moved it.
 
 /// How an outline becomes a drawing.
 struct Outline_drawing_options {

@@ -17,8 +17,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-// What a chain of arcs is asked for, and what is told of it; arc_chain.h makes one.
-
 // One arc or segment of a chain that approximates a curve, given by its ends and its bulge as in DXF files.
 
 /// An arc or a segment of a chain, and what it stands for.

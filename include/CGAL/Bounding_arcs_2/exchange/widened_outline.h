@@ -33,7 +33,7 @@
 #include <stdexcept>
 #include <vector>
 
-// One side of a region as arcs, and moved along its normals (see exchange/widened_outline.h).
+// One side of a region as arcs, and moved along its normals.
 
 namespace CGAL::Bounding_arcs::internal {
 

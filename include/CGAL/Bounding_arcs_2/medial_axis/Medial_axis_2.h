@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 
 namespace internal {
 struct Bounding_parts;  // src/library/medial_axis/Bounding_parts.h
-}
+}  // namespace internal
 
 /// A maximal disc where the axis ends or branches.
 struct Medial_vertex {

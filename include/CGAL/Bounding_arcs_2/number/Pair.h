@@ -14,10 +14,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-// Rounding error bounds ahead of time, from the ranges of arguments.
-
-// Rounding error bounds ahead of time, from the sizes of arguments.
-
 /// Rounding error bounds ahead of time: a formula over Magnitude tells how large its results and their rounding errors
 /// can get over doubles, for all arguments up to given sizes. Invariant, where nothing underflows and after less than
 /// 2^12 operations: for arguments within their sizes, the value and what double arithmetic makes of it are at most

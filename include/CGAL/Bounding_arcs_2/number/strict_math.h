@@ -54,8 +54,6 @@ template <int K> inline constexpr double ROUNDED_DOWN = 1 - K* HALF_ULP;
 
 }  // namespace CGAL::Bounding_arcs
 
-// An attribute that compilers spell each in its own way.
-
 /// Functions of some operations in loops that compilers are to vectorise. Stands for `inline`, behind `[[nodiscard]]`.
 #if defined(_MSC_VER) && !defined(__clang__)
 #define CGAL_BOUNDING_ARCS_INLINE __forceinline

@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs {
 
 namespace internal {
 class Offset_sources;  // src/library/offset/Offset_sources.h
-}
+}  // namespace internal
 
 /// A tree made ready for offsets at any number of distances.
 /// \code

@@ -21,8 +21,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-// What curves cut the plane into: vertices, edges and faces.
-
 /// Says where an overlay cuts curves, beside the places where they meet.
 struct Overlay_options {
   bool at_joints = false;  ///< where Bezier pieces join, too: each source of an edge has one part then

@@ -22,9 +22,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-// How a search ended.  Its bracket holds the true number whatever the status is.
-
-/// How a search ended.
+/// How a search ended. Its bracket holds the true number whatever the status is.
 enum class Query_status : std::uint8_t {
   COMPLETE,            ///< the bracket is as narrow as was asked, or as doubles tell where no tolerance was
   RESOLUTION_REACHED,  ///< the bracket is wider than the tolerance, as doubles tell no more

@@ -15,8 +15,6 @@
 #include <optional>
 #include <vector>
 
-// The nearest points to many points.
-
 namespace CGAL::Bounding_arcs::internal {
 
 template <class ConcurrencyTag = CGAL::Sequential_tag>

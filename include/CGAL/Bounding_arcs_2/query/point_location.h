@@ -19,8 +19,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-// A check for what is asked of closed curves only.
-
 /// \throws std::invalid_argument if a curve is open, with its number, from 0, and its name
 template <class NT> void check_closed(const Drawing_2<NT>& drawing) {
   for (std::size_t i = 0; i < drawing.curves().size(); ++i) {

@@ -18,8 +18,6 @@
 #include <optional>
 #include <vector>
 
-// Signed distances in doubles.
-
 namespace CGAL::Bounding_arcs::internal {
 
 /// A distance with the sign of a side; 0 on a curve.

@@ -159,7 +159,7 @@ struct Local_curve {
     form.unit = unit;
   }
 
-  int kind = 0;          ///< see Curve_kind.h; 0: there is none
+  int kind = 0;          ///< see curve_kind; 0: there is none
   double middle = 0;     ///< the parameter t expanded about
   double half = 0;       ///< the segment's half length
   double direction = 1;  ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the

@@ -15,7 +15,7 @@
 //   (T0 x D)(T1.D) - (D x T1)(T0.D) = 2 s^2 N,  N = a r + d p.
 // So sin 2 delta = 2 s^2 N / (l0 l1) with l_i = |T_i| |M|: the thickness of every method is N times a factor, and in N
 // no leading terms cancel.
-// Rational curves have the same figures of other M, Y and Z: Rational_figures.h.
+// Rational curves have the same figures of other M, Y and Z.
 
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_FIGURES_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_FIGURES_H

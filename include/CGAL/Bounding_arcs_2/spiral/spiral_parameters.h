@@ -33,11 +33,9 @@
 #include <utility>
 #include <vector>
 
-// The roots of a curve's four numerators, and the cuts that are made of them (see spiral/spiral_parameters.h).
+// The roots of a curve's four numerators, and the cuts that are made of them.
 
 namespace CGAL::Bounding_arcs::internal {
-
-// How often curves were cut, for the test that nothing cuts one twice.
 
 /// The number of curves that this thread has cut into spiral segments so far.
 [[nodiscard]] inline std::size_t& cut_count() {
