@@ -20,9 +20,9 @@ int main() {
   const Point_location_2 location(tree);
   const Xy<double> start = leaf.curves()[0].beziers[0].control_points()[0];
   for (const Point& q : {Point(0, 0), Point(5, 5), Point(start.x, start.y)}) {
-    const Point_side side = location.locate(q);
+    const CGAL::Bounded_side side = location.locate(q);
     std::printf("(%.6f, %.6f) is %s\n", q.x(), q.y(),
-                side == Point_side::INSIDE ? "inside" : (side == Point_side::ON ? "on the curve" : "outside"));
+                side == CGAL::ON_BOUNDED_SIDE ? "inside" : (side == CGAL::ON_BOUNDARY ? "on the curve" : "outside"));
   }
   const Measure_bounds all = area(tree, 1e-12), round = length(tree, 1e-9);
   std::printf("area %.9f, length %.6f, centroid (%.6f, %.6f)\n", all.upper, round.upper, centroid(tree, 1e-9)->x.lower,

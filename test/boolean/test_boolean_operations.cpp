@@ -261,7 +261,7 @@ TEST(BooleanOperations, TakeOperandsThatFillNothing) {
     const ba::Clipped_2 clipped = ba::clip(some, *region, Fill_rule::NONZERO);
     EXPECT_EQ(clipped.status, ba::Outline_status::COMPLETE);
     ASSERT_FALSE(clipped.parts.empty());
-    for (const auto& part : clipped.parts) EXPECT_EQ(part.side, ba::Point_side::OUTSIDE);
+    for (const auto& part : clipped.parts) EXPECT_EQ(part.side, CGAL::ON_UNBOUNDED_SIDE);
   }
   EXPECT_TRUE(ba::clip(none, some, Fill_rule::NONZERO).parts.empty());
 }

@@ -24,7 +24,6 @@ namespace test_clip {
 using namespace bounding_arcs_test;
 using ba::Clipped_2;
 using ba::Fill_rule;
-using ba::Point_side;
 
 Clipped_2 clip(const Drawing& curves, const Drawing& region, Fill_rule rule = Fill_rule::NONZERO) {
   return ba::clip(ba::Bounding_arc_tree_2(curves), ba::Bounding_arc_tree_2(region), rule);
@@ -50,15 +49,15 @@ void expect_right(const Drawing& curves, const Drawing& region, Fill_rule rule, 
         const auto& part = clipped.parts[next++];
         ASSERT_TRUE(is_of_piece(part) && part.from.touches(from) && part.from.lower <= part.to.upper);
         from = part.to;
-        ++(part.side == Point_side::INSIDE ? sides.inside
-                                           : (part.side == Point_side::OUTSIDE ? sides.outside : sides.on));
+        ++(part.side == CGAL::ON_BOUNDED_SIDE ? sides.inside
+                                              : (part.side == CGAL::ON_UNBOUNDED_SIDE ? sides.outside : sides.on));
         constexpr double NEAR = 1e-9;
         for (const double share : {0.2, 0.5, 0.7}) {
           if (part.to.lower <= part.from.upper) break;  // no double is between them
           const Point q =
               curves.curves()[c].beziers[b].point(part.from.upper + share * (part.to.lower - part.from.upper));
           const double away = ba::closest_point(hierarchy, q)->distance.upper;
-          if (part.side == Point_side::ON) {
+          if (part.side == CGAL::ON_BOUNDARY) {
             EXPECT_LT(away, NEAR);
           } else if (away > NEAR) {
             EXPECT_EQ(location.locate(q, rule), part.side) << q.x << ' ' << q.y;
@@ -97,9 +96,9 @@ TEST(Clip, CutsALineByACircle) {
   circle.add(circle_of_quarters());
   const Clipped_2 clipped = clip(line, circle);
   ASSERT_EQ(clipped.parts.size(), 3u);
-  EXPECT_EQ(clipped.parts[0].side, Point_side::OUTSIDE);
-  EXPECT_EQ(clipped.parts[1].side, Point_side::INSIDE);
-  EXPECT_EQ(clipped.parts[2].side, Point_side::OUTSIDE);
+  EXPECT_EQ(clipped.parts[0].side, CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(clipped.parts[1].side, CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(clipped.parts[2].side, CGAL::ON_UNBOUNDED_SIDE);
   EXPECT_NEAR(clipped.parts[1].start.x, -1, 1e-15);
   EXPECT_NEAR(clipped.parts[1].end.x, 1, 1e-15);
   EXPECT_EQ(clipped.parts[1].end, clipped.parts[2].start);
@@ -111,9 +110,9 @@ TEST(Clip, PutsOnTheBoundaryOnlyWhatRunsAlong) {
   square.add(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   const Clipped_2 clipped = clip(line, square);
   ASSERT_EQ(clipped.parts.size(), 3u);
-  EXPECT_EQ(clipped.parts[0].side, Point_side::OUTSIDE);
-  EXPECT_EQ(clipped.parts[1].side, Point_side::ON);
-  EXPECT_EQ(clipped.parts[2].side, Point_side::OUTSIDE);
+  EXPECT_EQ(clipped.parts[0].side, CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(clipped.parts[1].side, CGAL::ON_BOUNDARY);
+  EXPECT_EQ(clipped.parts[2].side, CGAL::ON_UNBOUNDED_SIDE);
   EXPECT_EQ(clipped.parts[1].start.x, 0);
   EXPECT_EQ(clipped.parts[1].end.x, 1);
 }
@@ -127,7 +126,7 @@ TEST(Clip, TellsSidesThatDoublesDoNot) {
     line.add({Bezier({{0.25, 0.125 + above}, {0.75, 0.375 + above}})});
     const Clipped_2 clipped = clip(line, region);
     ASSERT_EQ(clipped.parts.size(), 1u);
-    EXPECT_EQ(clipped.parts.front().side, above > 0 ? Point_side::OUTSIDE : Point_side::INSIDE);
+    EXPECT_EQ(clipped.parts.front().side, above > 0 ? CGAL::ON_UNBOUNDED_SIDE : CGAL::ON_BOUNDED_SIDE);
   }
 }
 
@@ -140,11 +139,11 @@ TEST(Clip, KeepsPartsShorterThanAnUlp) {
   const Clipped_2 two = clip(from_inside, region), one = clip(from_edge, region);
   EXPECT_EQ(two.status, ba::Outline_status::COMPLETE);
   ASSERT_EQ(two.parts.size(), 2u);
-  EXPECT_EQ(two.parts[0].side, Point_side::INSIDE);
-  EXPECT_EQ(two.parts[1].side, Point_side::OUTSIDE);
+  EXPECT_EQ(two.parts[0].side, CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(two.parts[1].side, CGAL::ON_UNBOUNDED_SIDE);
   EXPECT_EQ(one.status, ba::Outline_status::COMPLETE);
   ASSERT_EQ(one.parts.size(), 1u);
-  EXPECT_EQ(one.parts[0].side, Point_side::OUTSIDE);
+  EXPECT_EQ(one.parts[0].side, CGAL::ON_UNBOUNDED_SIDE);
 }
 
 TEST(Clip, RefusesOpenRegions) {

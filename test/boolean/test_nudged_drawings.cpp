@@ -144,9 +144,9 @@ TEST_P(NudgedDrawings, ClipEachOther) {
       if (!(part.from.upper < t && t < part.to.lower)) continue;  // shorter than parameters tell
       const auto q = whole.point(whole.number_of(0, part.curve, part.bezier), t);
       const auto winding = whole.winding(1, whole.seen(q, random));
-      const ba::Point_side side = !winding                        ? ba::Point_side::ON
-                                  : ba::is_filled(rule, *winding) ? ba::Point_side::INSIDE
-                                                                  : ba::Point_side::OUTSIDE;
+      const CGAL::Bounded_side side = !winding                        ? CGAL::ON_BOUNDARY
+                                      : ba::is_filled(rule, *winding) ? CGAL::ON_BOUNDED_SIDE
+                                                                      : CGAL::ON_UNBOUNDED_SIDE;
       if (side != part.side) throw Fault("side", "another one");
     }
   });

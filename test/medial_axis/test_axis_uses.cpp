@@ -154,7 +154,7 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
     std::vector<double> room(SIZE * SIZE, -1);
     std::vector<int> inside;
     for (int k = 0; k < SIZE * SIZE; ++k)
-      if (ba::locate(index, point(k)) == ba::Point_side::INSIDE)
+      if (ba::locate(index, point(k)) == CGAL::ON_BOUNDED_SIDE)
         room[static_cast<std::size_t>(k)] = ba::closest_point(index, point(k))->distance.lower, inside.push_back(k);
     for (int pair = 0; pair < 4; ++pair) {
       const int from = inside[random() % inside.size()], to = inside[random() % inside.size()];

@@ -52,9 +52,7 @@ class Bounds {
   [[nodiscard]] bool has_slits() const { return has_slits_; }
   [[nodiscard]] bool empty() const { return walls_.curves().empty(); }
   [[nodiscard]] auto closest(const Point& p) const { return ba::closest_point(*tree_, p); }
-  [[nodiscard]] bool is_inside(const Point& p) const {
-    return ba::locate(*inside_, p, rule_) == ba::Point_side::INSIDE;
-  }
+  [[nodiscard]] bool is_inside(const Point& p) const { return ba::locate(*inside_, p, rule_) == CGAL::ON_BOUNDED_SIDE; }
 
  private:
   void add_outline(const Axis_case& of, bool are_slits_walls) {

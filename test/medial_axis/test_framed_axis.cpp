@@ -222,7 +222,7 @@ TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
     expect_sound(drawing, walls, axis, 1e-3, 1e-12);
     const ba::Bounding_arc_tree_2 index(drawing);
     expect_whole(walls, axis, random, 8,
-                 [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
+                 [&](const Point& q) { return ba::locate(index, q, options.rule) == CGAL::ON_BOUNDED_SIDE; });
   }
 }
 

@@ -106,7 +106,7 @@ TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
     const Medial_axis_2 axis = ba::medial_axis(index, 1e-4, options);
     expect_sound(drawing, axis, 1e-4);
     expect_whole(drawing, axis, random, 4,
-                 [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
+                 [&](const Point& q) { return ba::locate(index, q, options.rule) == CGAL::ON_BOUNDED_SIDE; });
   }
 }
 

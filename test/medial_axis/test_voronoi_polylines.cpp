@@ -51,7 +51,7 @@ Compared compared(const std::vector<Disc>& discs, const std::vector<Axis_piece>&
                   const ba::Bounding_arc_tree_2& index, double least_radius) {
   Compared result;
   for (const Disc& d : discs) {
-    if (d.radius < least_radius || ba::locate(index, d.center) != ba::Point_side::INSIDE) continue;
+    if (d.radius < least_radius || ba::locate(index, d.center) != CGAL::ON_BOUNDED_SIDE) continue;
     ++result.count;
     double least = HUGE_VAL, radius = 0;
     for (const Axis_piece& piece : pieces) {

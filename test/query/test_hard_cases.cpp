@@ -195,9 +195,9 @@ TEST(HardCases, HaveTheKnownSides) {
       const ba::Winding_number w = ba::winding_number(index, q), rough = ba::winding_number(doubles, q);
       EXPECT_EQ(w.state, p[2].is_null() ? ba::Winding_number::State::ON : ba::Winding_number::State::DECIDED);
       EXPECT_EQ(w.number, p[2].is_null() ? 0 : p[2].get<int>()) << p;
-      const ba::Point_side side = p[3] == "on"       ? ba::Point_side::ON
-                                  : p[3] == "inside" ? ba::Point_side::INSIDE
-                                                     : ba::Point_side::OUTSIDE;
+      const CGAL::Bounded_side side = p[3] == "on"       ? CGAL::ON_BOUNDARY
+                                      : p[3] == "inside" ? CGAL::ON_BOUNDED_SIDE
+                                                         : CGAL::ON_UNBOUNDED_SIDE;
       EXPECT_EQ(ba::locate(index, q), side) << p;
       EXPECT_TRUE(rough.state == ba::Winding_number::State::UNDECIDED || rough.number == w.number) << p;
     }

@@ -56,9 +56,9 @@ TYPED_TEST(KernelPoints, GoInAndComeOut) {
   EXPECT_EQ(closest_points_of_all(tree, std::vector<Point>{q}).front().point, nearest);
   EXPECT_EQ(signed_distances_of_all(tree, std::vector<Point>{q}).front().point, nearest);
   EXPECT_EQ(ray_hits(tree, q, typename K::Vector_2(1, 0)).front().point, nearest);
-  EXPECT_EQ(locate(tree, q), Point_side::INSIDE);
+  EXPECT_EQ(locate(tree, q), CGAL::ON_BOUNDED_SIDE);
   EXPECT_EQ(winding_number(tree, q).number, 1);
-  EXPECT_EQ(Point_location_2(tree).locate(nearest), Point_side::ON);
+  EXPECT_EQ(Point_location_2(tree).locate(nearest), CGAL::ON_BOUNDARY);
   const Point a = distance<K>(tree, other)->a.point;
   EXPECT_EQ(at(a).x, 2);
   EXPECT_EQ(at(Point(distance<K>(tree, other, 1e-3)->a.point)).x, 2);
@@ -103,8 +103,8 @@ TYPED_TEST(KernelPoints, AreTakenAsTheyAre) {
   if constexpr (!std::is_floating_point_v<FT>) {
     const Bounding_arc_tree_2 tree(square(0, 2));
     const FT tiny = FT(1) / FT(CGAL::Exact_rational("1000000000000000000000000000000")), two(2);
-    EXPECT_EQ(locate(tree, typename TypeParam::Point_2(FT(two - tiny), FT(0))), Point_side::INSIDE);
-    EXPECT_EQ(locate(tree, typename TypeParam::Point_2(FT(two + tiny), FT(0))), Point_side::OUTSIDE);
+    EXPECT_EQ(locate(tree, typename TypeParam::Point_2(FT(two - tiny), FT(0))), CGAL::ON_BOUNDED_SIDE);
+    EXPECT_EQ(locate(tree, typename TypeParam::Point_2(FT(two + tiny), FT(0))), CGAL::ON_UNBOUNDED_SIDE);
     EXPECT_EQ(ray_hits(tree, typename TypeParam::Point_2(FT(0), FT(two + tiny)), {1, 0}).size(), 0U);
     EXPECT_EQ(ray_hits(tree, typename TypeParam::Point_2(FT(0), FT(two - tiny)), {1, 0}).size(), 1U);
   }

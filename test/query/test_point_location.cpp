@@ -29,7 +29,6 @@ using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
 using ba::Bounding_arc_tree_2;
 using ba::Fill_rule;
-using ba::Point_side;
 using ba::Winding_number;
 using Point = ba::Xy<double>;
 using State = Winding_number::State;
@@ -133,10 +132,10 @@ TEST(PointLocation, WithinHalfAnUlpOfAVertexIsThatOfSturmSequences) {
       for (const int i : {-1, 0, 1})
         for (const int k : {-1, 0, 1})
           expect_exactly_as_oracle(index, ba::Xy<Rational>{x + i * least, y + k * least}, "rectangle");
-  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, least})), Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, -least})), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, 1 - least})), Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, 1 + least})), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, least})), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, -least})), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, 1 - least})), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, 1 + least})), CGAL::ON_UNBOUNDED_SIDE);
 }
 
 // Around each such place, and beside it at the height of another one.
@@ -192,15 +191,15 @@ TEST(PointLocation, KnowsCirclesAndHoles) {
   for (std::size_t i = round.size(); i-- > 0;) hole.push_back(round[i].reversed());
   drawing.add(hole, "hole");
   const Bounding_arc_tree_2 index(drawing);
-  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, {0, 1}), Point_side::ON);
-  EXPECT_EQ(ba::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {0, 0}), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, {0, 1}), CGAL::ON_BOUNDARY);
+  EXPECT_EQ(ba::locate(index, {0, 0}, Fill_rule::EVEN_ODD), CGAL::ON_UNBOUNDED_SIDE);
   EXPECT_EQ(ba::winding_number(index, {3, 0}).number, 1);
-  EXPECT_EQ(ba::locate(index, {3, 4}), Point_side::ON);  // on the circle, at no double parameter
-  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 0)}), Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 5)}), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, {-7, 5}), Point_side::OUTSIDE);  // the ray touches the outer circle
-  EXPECT_EQ(ba::locate(index, {-7, 1}), Point_side::OUTSIDE);  // the ray touches the hole
+  EXPECT_EQ(ba::locate(index, {3, 4}), CGAL::ON_BOUNDARY);  // on the circle, at no double parameter
+  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 0)}), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 5)}), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, {-7, 5}), CGAL::ON_UNBOUNDED_SIDE);  // the ray touches the outer circle
+  EXPECT_EQ(ba::locate(index, {-7, 1}), CGAL::ON_UNBOUNDED_SIDE);  // the ray touches the hole
 }
 
 TEST(PointLocation, CountsWhatIsRunThroughTwice) {
@@ -210,8 +209,8 @@ TEST(PointLocation, CountsWhatIsRunThroughTwice) {
   drawing.add(twice);
   const Bounding_arc_tree_2 index(drawing);
   EXPECT_EQ(ba::winding_number(index, {1, 0}).number, 2);
-  EXPECT_EQ(ba::locate(index, {1, 0}), Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {1, 0}), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, {1, 0}, Fill_rule::EVEN_ODD), CGAL::ON_UNBOUNDED_SIDE);
   EXPECT_EQ(ba::winding_number(index, {4, 3}).state, State::ON);
 }
 
@@ -227,7 +226,7 @@ TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
     for (const double x :
          {-5.0, -4.0, -3.5, -3.0, -2.0, -1.0, -0.5, -0x1p-70, 0.0, 0x1p-70, 0x1p-40, 0x1p-20, 0.25, 0.5, 1.0, 2.0})
       expect_as_oracle(index, {x, y}, "cusp");
-  EXPECT_EQ(ba::locate(index, {-4, 0}), Point_side::ON);
+  EXPECT_EQ(ba::locate(index, {-4, 0}), CGAL::ON_BOUNDARY);
 }
 
 TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
@@ -261,7 +260,7 @@ TEST(PointLocation, InDoublesIsRightOrUndecided) {
       const Winding_number a = ba::winding_number(exact, q), b = ba::winding_number(plain, q);
       if (b.state == State::UNDECIDED) {
         EXPECT_EQ(k, 0);
-        EXPECT_EQ(ba::locate(plain, q), Point_side::UNDECIDED);
+        EXPECT_FALSE(is_certain(ba::locate(plain, q)));
         ++open;
         continue;
       }
@@ -287,7 +286,7 @@ TEST(PointLocation, NamesAnOpenCurve) {
 
 TEST(PointLocation, OfNothingIsOutsideAndOfNoNumberAnError) {
   const Bounding_arc_tree_2 index{ba::Drawing_2<double>()};
-  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {0, 0}), CGAL::ON_UNBOUNDED_SIDE);
   EXPECT_THROW((void)ba::locate(index, {std::nan(""), 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
 }
@@ -312,7 +311,8 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
         const auto known = winding_by_sturm(index.drawing(), exactly(points[k]));
         ASSERT_TRUE(one && closest);
         const bool is_inside = known && (rule == Fill_rule::NONZERO ? *known != 0 : *known % 2 != 0);
-        const Point_side side = !known ? Point_side::ON : (is_inside ? Point_side::INSIDE : Point_side::OUTSIDE);
+        const CGAL::Bounded_side side =
+            !known ? CGAL::ON_BOUNDARY : (is_inside ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE);
         EXPECT_EQ(one->side, side) << i << ' ' << k;
         EXPECT_EQ(all[k].side, side) << i << ' ' << k;
         EXPECT_EQ(one->point, closest->point);
@@ -321,7 +321,7 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
         EXPECT_EQ((std::max)(sign * closest->distance.lower, sign * closest->distance.upper), one->distance.upper);
         EXPECT_LE(all[k].distance.lower, one->distance.upper);
         EXPECT_LE(one->distance.lower, all[k].distance.upper);
-        ++sides[static_cast<int>(side)];
+        ++sides[static_cast<int>(side) + 1];
       }
     }
   }
@@ -344,7 +344,7 @@ TEST(SignedDistance, OfACircleIsKnown) {
   EXPECT_LE(at(3, std::nextafter(4, 0)).upper, 0);
   EXPECT_GE(at(3, std::nextafter(4, 5)).lower, 0);
   const auto open = ba::signed_distance(doubles, {3, 4});  // what doubles do not tell has both signs
-  EXPECT_EQ(open->side, Point_side::UNDECIDED);
+  EXPECT_FALSE(is_certain(open->side));
   EXPECT_LT(open->distance.lower, 0);
   EXPECT_GT(open->distance.upper, 0);
 }

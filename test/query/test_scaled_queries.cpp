@@ -272,8 +272,8 @@ TEST(ScaledQueries, CountTheSmallestCoordinates) {
   const double huge = 0x1p490;
   const Bounding_arc_tree_2 index(
       drawing_of(polygon({{0x1p-1000, -huge}, {huge, -huge}, {huge, huge}, {0x1p-1000, huge}})));
-  EXPECT_EQ(ba::locate(index, {0, 0}), ba::Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, {1, 0}), ba::Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {0, 0}), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(index, {1, 0}), CGAL::ON_BOUNDED_SIDE);
   EXPECT_THROW(static_cast<void>(ba::locate(index, {0x1p-1001, 0})), std::invalid_argument);
 }
 
@@ -287,7 +287,7 @@ TEST(ScaledQueries, AreBracketsAtTheEndOfTheRange) {
   EXPECT_LE(length.lower, 12 * tiny);
   EXPECT_GE(length.upper, 12 * tiny);
   EXPECT_LE(length.upper, 13 * tiny);
-  EXPECT_EQ(ba::locate(index, {3 * tiny, tiny}), ba::Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {3 * tiny, tiny}), CGAL::ON_BOUNDED_SIDE);
 }
 
 // As far as they are served, and no farther.

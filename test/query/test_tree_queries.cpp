@@ -170,11 +170,11 @@ TYPED_TEST(TreeQueries, AnswerInTheKernelsPoints) {
 TYPED_TEST(TreeQueries, KnowTheInside) {
   const TypeParam tree = tree_of<TypeParam>(drawing_of(circle({0, 0}, 1)));
   const ba::Point_location_2 location(tree);
-  EXPECT_EQ(location.locate(point_of<TypeParam>(0.5, 0.25)), ba::Point_side::INSIDE);
+  EXPECT_EQ(location.locate(point_of<TypeParam>(0.5, 0.25)), CGAL::ON_BOUNDED_SIDE);
   EXPECT_EQ(ba::winding_number(tree, point_of<TypeParam>(3, 0)).number, 0);
-  const ba::Point_side on = ba::locate(tree, point_of<TypeParam>(1, 0));
-  if (IS_EXACT<TypeParam>) EXPECT_EQ(on, ba::Point_side::ON);
-  else EXPECT_TRUE(on == ba::Point_side::ON || on == ba::Point_side::UNDECIDED);
+  const CGAL::Uncertain<CGAL::Bounded_side> on = ba::locate(tree, point_of<TypeParam>(1, 0));
+  if (IS_EXACT<TypeParam>) EXPECT_EQ(on, CGAL::ON_BOUNDARY);
+  else EXPECT_TRUE(!is_certain(on) || on == CGAL::ON_BOUNDARY);
   EXPECT_LT(ba::signed_distance(tree, point_of<TypeParam>(0, 0))->distance.upper, 0);
   expect_overlap(ba::area(tree, 1e-9), Bounds{3.14159265, 3.14159266});
   EXPECT_EQ(ba::medial_axis(tree, 1e-4).vertices.size(), 1U);
@@ -192,15 +192,15 @@ TEST(TreeQueries, OverExactKernelsAreOfExactCoordinates) {
   const Exact_tree tree(drawing);
   using Point = Exact_tree::Point_2;
   const Exact a = Exact(1) / 9, b = Exact(2) / 9;
-  EXPECT_EQ(ba::locate(tree, Point(a, b)), ba::Point_side::ON);
-  EXPECT_EQ(ba::locate(tree, Point(Exact(a - tiny), b)), ba::Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(tree, Point(Exact(a + tiny), b)), ba::Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(tree, Point(a, Exact(b - tiny))), ba::Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(tree, Point(third, Exact(0))), ba::Point_side::ON);
-  EXPECT_EQ(ba::locate(tree, Point(Exact(third + tiny), Exact(0))), ba::Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(tree, Point(Exact(-tiny), Exact(third / 2))), ba::Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(tree, Point(tiny, Exact(third / 2))), ba::Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(tree, Point(tiny, Exact(-tiny))), ba::Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(tree, Point(a, b)), CGAL::ON_BOUNDARY);
+  EXPECT_EQ(ba::locate(tree, Point(Exact(a - tiny), b)), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(tree, Point(Exact(a + tiny), b)), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(tree, Point(a, Exact(b - tiny))), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(tree, Point(third, Exact(0))), CGAL::ON_BOUNDARY);
+  EXPECT_EQ(ba::locate(tree, Point(Exact(third + tiny), Exact(0))), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(tree, Point(Exact(-tiny), Exact(third / 2))), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(tree, Point(tiny, Exact(third / 2))), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(ba::locate(tree, Point(tiny, Exact(-tiny))), CGAL::ON_UNBOUNDED_SIDE);
   // from a point as far as the corner's rounding from (1, 0)
   const auto near = ba::closest_point(tree, Point(Exact(4) / 3, Exact(0)));
   EXPECT_LE(near->distance.lower, 1);

@@ -153,7 +153,7 @@ void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt1993
 inline void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count) {
   const ba::Bounding_arc_tree_2 frame(drawing_of(drawing.curves().back().beziers));
   expect_whole(drawing, axis, random, count,
-               [&](const Point& q) { return ba::locate(frame, q) == ba::Point_side::INSIDE; });
+               [&](const Point& q) { return ba::locate(frame, q) == CGAL::ON_BOUNDED_SIDE; });
 }
 
 }  // namespace bounding_arcs_test

@@ -61,8 +61,8 @@ class Operands {
     int filled = 0, first = 0;
     for (std::size_t k = 0; k < hierarchies_.size(); ++k) {
       const auto side = ba::Point_location_2(hierarchies_[k]).locate(q, rules.of(k, hierarchies_.size()));
-      if (side == ba::Point_side::ON) return -1;
-      if (side != ba::Point_side::INSIDE) continue;
+      if (side == CGAL::ON_BOUNDARY) return -1;
+      if (side != CGAL::ON_BOUNDED_SIDE) continue;
       ++filled;
       if (k == 0) first = 1;
     }

@@ -95,9 +95,9 @@ class Clipper {
     }
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const Cut &from = cuts[i], &to = cuts[i + 1];
-      Clipped_part part{curve, number, from.t, to.t, point(bezier, from.t), point(bezier, to.t), Point_side::ON};
+      Clipped_part part{curve, number, from.t, to.t, point(bezier, from.t), point(bezier, to.t), ON_BOUNDARY};
       if (is_along[i] == 0) {
-        const std::optional<Point_side> side = side_between(bezier, from, to);
+        const std::optional<Bounded_side> side = side_between(bezier, from, to);
         if (!side) {
           undecided_ = {part.start, {0, curve, number}, {1, 0, 0}};
           return;
@@ -112,9 +112,9 @@ class Clipper {
   }
 
   // Asks for a point of the curve: in doubles first, which count how far the computed one is from it.
-  [[nodiscard]] std::optional<Point_side> side_between(std::uint32_t bezier, const Cut& from, const Cut& to) {
+  [[nodiscard]] std::optional<Bounded_side> side_between(std::uint32_t bezier, const Cut& from, const Cut& to) {
     const auto side = [this](const Winding_search& search) {
-      return is_filled(rule_, search.number()) ? Point_side::INSIDE : Point_side::OUTSIDE;
+      return is_filled(rule_, search.number()) ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
     };
     const double t = from.t.upper + (to.t.lower - from.t.upper) / 2;
     const bool has_double = from.t.upper < t && t < to.t.lower;

@@ -53,7 +53,7 @@ void check_frame(const Drawing_2<double>& drawing) {
   const Point_location_2 location(curves);
   for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
     const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
-    if (location.locate(p) != Point_side::INSIDE)
+    if (!certainly(location.locate(p) == ON_BOUNDED_SIDE))
       throw std::invalid_argument(expected("curve " + text_of(i), "a curve within the last one, the frame",
                                            "one that starts at " + text_of(p)));
   }

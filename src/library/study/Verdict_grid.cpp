@@ -101,8 +101,8 @@ std::vector<Verdict_grid> verdict_grids(std::size_t size) {
   const Bounding_arc_tree_2 hierarchy(closed(curve));
   const Point_location_2 location(hierarchy);
   const auto our_location = [&](const Xy<double>& q) {
-    const Point_side side = location.locate(q);
-    return side == Point_side::ON ? 0 : (side == Point_side::INSIDE ? -1 : 1);
+    const Bounded_side side = location.locate(q);
+    return side == ON_BOUNDARY ? 0 : (side == ON_BOUNDED_SIDE ? -1 : 1);
   };
   // Points of the curves, rounded.
   const Xy<double> direction{0.8, 0.6};

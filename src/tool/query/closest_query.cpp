@@ -61,7 +61,7 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
                            digits(found->distance.upper), digits(found->point.x), digits(found->point.y),
                            name_of_place(drawing, found->place), digits(found->place.t)});
     answer.marks.push_back({Mark::LINE, {q, found->point}});
-    answer.marks.push_back({found->side == ba::Point_side::INSIDE ? Mark::STRONG_DOT : Mark::DOT, {q}});
+    answer.marks.push_back({found->side == CGAL::ON_BOUNDED_SIDE ? Mark::STRONG_DOT : Mark::DOT, {q}});
   }
   answer.json["results"] = std::move(results);
   return answer;

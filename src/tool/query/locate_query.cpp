@@ -10,18 +10,9 @@ namespace bounding_arcs_tool {
 
 namespace ba = CGAL::Bounding_arcs;
 
-const char* name_of(ba::Point_side side) {
-  switch (side) {
-    case ba::Point_side::INSIDE:
-      return "inside";
-    case ba::Point_side::OUTSIDE:
-      return "outside";
-    case ba::Point_side::ON:
-      return "on";
-    case ba::Point_side::UNDECIDED:
-      break;
-  }
-  return "undecided";
+const char* name_of(CGAL::Uncertain<CGAL::Bounded_side> side) {
+  if (!is_certain(side)) return "undecided";
+  return side == CGAL::ON_BOUNDARY ? "on" : (side == CGAL::ON_BOUNDED_SIDE ? "inside" : "outside");
 }
 
 void check_closed(const Query_drawing& drawing, const std::string& more) {

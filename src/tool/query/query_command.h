@@ -84,7 +84,7 @@ struct Query_drawing {
 void check_closed(const Query_drawing& drawing, const std::string& more = "");
 /// \throws Input_error for a drawing without curves, which nothing is near to
 void check_has_curve(const Query_drawing& drawing);
-[[nodiscard]] const char* name_of(CGAL::Bounding_arcs::Point_side side);
+[[nodiscard]] const char* name_of(CGAL::Uncertain<CGAL::Bounded_side> side);
 
 // The questions; files are Query_options' file and, where there are two, other.
 [[nodiscard]] Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points);

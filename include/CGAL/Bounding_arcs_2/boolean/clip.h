@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
-#include <CGAL/Bounding_arcs_2/query/Point_side.h>
+#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Clipped_part {
   std::uint32_t bezier = 0;               ///< of that curve
   Bracket from, to;                       ///< hold the parameters of start and end, which rise
   Xy<double> start, end;                  ///< these points but for rounding; parts of a piece share them bit for bit
-  Point_side side = Point_side::OUTSIDE;  ///< ON: along a curve of the region, whatever that fills
+  Bounded_side side = ON_UNBOUNDED_SIDE;  ///< on the boundary: along a curve of the region, whatever that fills
 
   /// Writes the members in their order, with a blank between.
   friend std::ostream& operator<<(std::ostream& out, const Clipped_part& a) {
@@ -38,7 +38,7 @@ struct Clipped_part {
 /// All parts of some curves, in the order of the curves. The parts of a piece cover it.
 /// \code
 /// for (const Clipped_part& part : clip(hatching, region).parts)  // clip.h
-///   if (part.side == Point_side::INSIDE) std::cout << part.start << " to " << part.end << '\n';
+///   if (part.side == CGAL::ON_BOUNDED_SIDE) std::cout << part.start << " to " << part.end << '\n';
 /// \endcode
 struct Clipped_2 {
   std::vector<Clipped_part> parts;

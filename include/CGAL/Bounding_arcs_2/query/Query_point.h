@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/query/Point_side.h>
+#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
@@ -54,11 +54,11 @@ template <class Point = Xy<double>> struct Closest_point {
 /// A distance with the side, and where it is measured.
 /// \code
 /// const auto found = signed_distance(closed, {0.1, 0});  // a tree of closed curves
-/// if (found && found->side == Point_side::INSIDE) std::cout << -found->distance.upper << " deep at least\n";
+/// if (found && found->side == CGAL::ON_BOUNDED_SIDE) std::cout << -found->distance.upper << " deep at least\n";
 /// \endcode
 template <class Point = Xy<double>> struct Signed_distance {
   Bracket distance;  ///< of the exact curves, with its sign: both bounds are at most 0 inside, both 0 on a curve
-  Point_side side;
+  Uncertain<Bounded_side> side;
   Point point;  ///< the nearest one, on the curve but for rounding
   Curve_place place;
   Query_status status = Query_status::COMPLETE;

@@ -39,8 +39,8 @@ template <class Point> using Kernel_of = typename CGAL::Kernel_traits<Point>::Ke
 
 /// A point that is asked about: of any kernel, rounded to doubles where it has other numbers.
 /// \code
-/// const bool is_inside = locate(closed, {1, 1}) == Point_side::INSIDE;
-/// const bool is_too = locate(closed, Epeck::Point_2(1, 1)) == Point_side::INSIDE;
+/// const bool is_inside = locate(closed, {1, 1}) == CGAL::ON_BOUNDED_SIDE;
+/// const bool is_too = locate(closed, Epeck::Point_2(1, 1)) == CGAL::ON_BOUNDED_SIDE;
 /// \endcode
 struct Asked_point {
   Asked_point(double x, double y) : point{x, y} {}

@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/Point_side.h>
+#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
@@ -33,7 +33,7 @@ template <class NT> void check_closed(const Drawing_2<NT>& drawing) {
 /// Point location for many points: that all curves of a tree are closed is checked once.
 /// \code
 /// const Point_location_2 location(closed);  // a tree of closed curves
-/// const bool is_inside = location.locate({1, 1}) == Point_side::INSIDE;
+/// const bool is_inside = location.locate({1, 1}) == CGAL::ON_BOUNDED_SIDE;
 /// \endcode
 class Point_location_2 {
  public:
@@ -47,8 +47,8 @@ class Point_location_2 {
   /// \complexity boxes that a ray to the right meets; exact arithmetic only for pieces within some ulp of the point
   /// \throws std::invalid_argument for a point that is no number
   [[nodiscard]] Winding_number winding_number(const Asked_point& q) const;
-  /// Tells whether a point is inside, with guarantees as above.
-  [[nodiscard]] Point_side locate(const Asked_point& q, Fill_rule rule = Fill_rule::NONZERO) const {
+  /// Tells on which side a point is, with guarantees as above. \return uncertain only without exact decisions
+  [[nodiscard]] Uncertain<Bounded_side> locate(const Asked_point& q, Fill_rule rule = Fill_rule::NONZERO) const {
     return side_of(winding_number(q), rule);
   }
 
@@ -60,9 +60,9 @@ class Point_location_2 {
 [[nodiscard]] inline Winding_number winding_number(const Bounding_arc_tree_2& tree, const Asked_point& q) {
   return Point_location_2(tree).winding_number(q);
 }
-/// Tells whether one point is inside the curves of a tree; see Point_location_2.
-[[nodiscard]] inline Point_side locate(const Bounding_arc_tree_2& tree, const Asked_point& q,
-                                       Fill_rule rule = Fill_rule::NONZERO) {
+/// Tells on which side of the curves of a tree one point is; see Point_location_2.
+[[nodiscard]] inline Uncertain<Bounded_side> locate(const Bounding_arc_tree_2& tree, const Asked_point& q,
+                                                    Fill_rule rule = Fill_rule::NONZERO) {
   return Point_location_2(tree).locate(q, rule);
 }
 

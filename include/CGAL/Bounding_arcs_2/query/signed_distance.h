@@ -21,21 +21,11 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// A distance with the sign of a side; 0 on a curve.
-[[nodiscard]] inline Signed_distance<> with_side(const Closest_point<>& found, Point_side side) {
+[[nodiscard]] inline Signed_distance<> with_side(const Closest_point<>& found, const Uncertain<Bounded_side>& side) {
   Bracket d = found.distance;
-  switch (side) {
-    case Point_side::INSIDE:
-      d = {0 - d.upper, 0 - d.lower};  // no -0
-      break;
-    case Point_side::OUTSIDE:
-      break;
-    case Point_side::ON:
-      d = {0, 0};
-      break;
-    case Point_side::UNDECIDED:
-      d = {-d.upper, d.upper};
-      break;
-  }
+  if (!is_certain(side)) d = {-d.upper, d.upper};
+  else if (side == ON_BOUNDARY) d = {0, 0};
+  else if (side == ON_BOUNDED_SIDE) d = {0 - d.upper, 0 - d.lower};  // no -0
   return {d, side, found.point, found.place, found.status};
 }
 
@@ -62,8 +52,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
         const double way = stable_norm(p.point - q.point) + (p.error + q.error);
         return way * UP < closest[i - 1].distance.lower;
       };
-      const bool is_same_side =
-          i > begin && results[i - 1].side != Point_side::UNDECIDED && is_near(points[i], points[i - 1]);
+      const bool is_same_side = i > begin && is_certain(results[i - 1].side) && is_near(points[i], points[i - 1]);
       results[i] = with_side(closest[i], is_same_side ? results[i - 1].side : location.locate(points[i], rule));
     }
   });

@@ -4,17 +4,17 @@
 //
 // Where a point is with respect to closed curves.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_SIDE_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_POINT_SIDE_H
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_WINDING_NUMBER_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_WINDING_NUMBER_H
 
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <cstdint>
 
 namespace CGAL::Bounding_arcs {
-
-/// UNDECIDED only without exact decisions.
-enum class Point_side : std::uint8_t { INSIDE, OUTSIDE, ON, UNDECIDED };
 
 /// How often closed curves run round a point.
 struct Winding_number {
@@ -24,11 +24,11 @@ struct Winding_number {
   int number = 0;  ///< of all curves together, positive counterclockwise; 0 unless it is decided
 };
 
-/// The side that a winding number has under a fill rule.
-[[nodiscard]] inline Point_side side_of(const Winding_number& w, Fill_rule rule) {
-  if (w.state == Winding_number::State::ON) return Point_side::ON;
-  if (w.state == Winding_number::State::UNDECIDED) return Point_side::UNDECIDED;
-  return is_filled(rule, w.number) ? Point_side::INSIDE : Point_side::OUTSIDE;
+/// The side that a winding number has under a fill rule; uncertain where that is undecided.
+[[nodiscard]] inline Uncertain<Bounded_side> side_of(const Winding_number& w, Fill_rule rule) {
+  if (w.state == Winding_number::State::ON) return ON_BOUNDARY;
+  if (w.state == Winding_number::State::UNDECIDED) return Uncertain<Bounded_side>::indeterminate();
+  return is_filled(rule, w.number) ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
 }
 
 }  // namespace CGAL::Bounding_arcs
