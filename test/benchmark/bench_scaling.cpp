@@ -2,6 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../../src/library/query/Closest_search.h"
 #include "../../src/library/tree/Segment_hierarchy.h"
 #include "scaling.h"
 

@@ -4,6 +4,7 @@
 //
 // Axes of drawings as people make them: complete, and right within what is told of them.
 
+#include "../../src/library/medial_axis/Bounding_parts.h"
 #include "axis_checks.h"
 #include "counted_faults.h"
 #include "drawn_shapes.h"

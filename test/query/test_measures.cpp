@@ -4,6 +4,7 @@
 //
 // Length, area and centroid, beside sums over fine parts in long double and where they are known.
 
+#include "../../src/library/curve/green.h"
 #include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"

@@ -8,6 +8,7 @@
 #ifndef BOUNDING_ARCS_TEST_OFFSET_CHECKS_H
 #define BOUNDING_ARCS_TEST_OFFSET_CHECKS_H
 
+#include "bulge_arcs.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
