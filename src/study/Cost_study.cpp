@@ -18,8 +18,8 @@
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
 #include <CGAL/Bounding_arcs_2/study/Cost_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
-#include <CGAL/Bounding_arcs_2/study/internal/Enclosed_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
+#include "Enclosed_piece.h"
 #include "least_seconds.h"
 
 #include <gmp.h>

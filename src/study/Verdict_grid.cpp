@@ -7,8 +7,8 @@
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/Verdict_grid.h>
-#include <CGAL/Bounding_arcs_2/study/internal/textbook_steps.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cmath>

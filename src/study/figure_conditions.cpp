@@ -2,18 +2,22 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Condition numbers of exact figures, by differences in many bits.
+// Condition numbers of exact figures, of regions and of one's own formulas, by differences in many bits.
 
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/study/Formula_study.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
-#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
+#include "figure_errors.h"
 
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -127,6 +131,76 @@ template <class Construction, class Textbook>
     return sum.is_first_order() ? std::optional<Figure_conditions>(sum.largest()) : std::nullopt;
   } catch (const CGAL::Uncertain_conversion_exception&) {  // a sign that is 0 here, or where a number changes
     return std::nullopt;
+  }
+}
+
+[[nodiscard]] static Mpfr_interval in_many_bits(const CGAL::Exact_rational& x) {
+  return Mpfr_interval(x, CONDITION_BITS);
+}
+
+// A piece of a curve whose numbers are no doubles, in enclosures.
+[[nodiscard]] static Formula_piece<Mpfr_interval> piece_in_many_bits(
+    const std::vector<Xy<CGAL::Exact_rational>>& points, const std::vector<CGAL::Exact_rational>& weights,
+    const Bezier_spiral_2<double>& spiral, double t0, double t1) {
+  std::vector<Xy<Mpfr_interval>> p;
+  std::vector<Mpfr_interval> w;
+  for (const Xy<CGAL::Exact_rational>& q : points) p.push_back({in_many_bits(q.x), in_many_bits(q.y)});
+  for (const CGAL::Exact_rational& x : weights) w.push_back(in_many_bits(x));
+  const Bezier_curve_2<CGAL::Exact_rational> curve(points, weights);
+  const Taylor_table<Mpfr_interval> table(Taylor_table<CGAL::Exact_rational>(curve, length_unit(spiral.curve())),
+                                          in_many_bits);
+  return {Bezier_curve_2<Mpfr_interval>(std::move(p), std::move(w)), in_many_bits(t0), in_many_bits(t1),
+          bezier_chord_shape(table, in_many_bits(t0), in_many_bits(t1), {}, spiral.orders(t0, t1))};
+}
+
+// The condition number of each figure: the sum over all numbers of how much it changes, as a share of itself.
+// Nothing where a comparison is open, or a number changes what figures there are.
+[[nodiscard]] static std::map<std::string, double> formula_conditions(const Enclosed_formula& formula,
+                                                                      const Bezier_spiral_2<double>& spiral, double t0,
+                                                                      double t1) {
+  const Bezier_curve_2<CGAL::Exact_rational> curve = spiral.exact_curve();
+  std::vector<Xy<CGAL::Exact_rational>> points = curve.control_points();
+  std::vector<CGAL::Exact_rational> weights = curve.weights();
+  const CGAL::Exact_rational factor = CGAL::Exact_rational(1) + CGAL::Exact_rational(std::ldexp(1.0, -SHARE));
+  std::map<std::string, double> sums;
+  try {
+    const Enclosed_figures exact = formula(piece_in_many_bits(points, weights, spiral, t0, t1));
+    const auto moves = [&](CGAL::Exact_rational& x) {
+      if (x == 0) return true;
+      const CGAL::Exact_rational before = x;
+      x = before * factor;
+      const Enclosed_figures changed = formula(piece_in_many_bits(points, weights, spiral, t0, t1));
+      x = before;
+      if (changed.size() != exact.size()) return false;
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        const Mpfr_interval change = length_about_zero(changed[i].value - exact[i].value);
+        sums[exact[i].name] +=
+            (Mpfr_interval(std::ldexp(1.0, SHARE)) * change / length_about_zero(exact[i].value)).middle();
+      }
+      return true;
+    };
+    for (Xy<CGAL::Exact_rational>& p : points)
+      if (!moves(p.x) || !moves(p.y)) return {};
+    for (CGAL::Exact_rational& w : weights)
+      if (!moves(w)) return {};
+    for (const Named_figure<Mpfr_interval>& f : exact)
+      if (f.is_verdict || !(sums[f.name] < std::ldexp(1.0, SHARE - SMALL))) sums.erase(f.name);
+  } catch (const CGAL::Uncertain_conversion_exception&) {  // a sign that is 0 here, or where a number changes
+    return {};
+  }
+  return sums;
+}
+
+void add_formula_conditions(const Enclosed_formula& formula, std::vector<Stability_row>& rows) {
+  std::map<std::pair<std::string, std::size_t>, std::map<std::string, double>> known;  // by piece
+  for (Stability_row& row : rows) {
+    const auto place = known.try_emplace({row.family, row.number});
+    if (place.second) {
+      const auto spiral = spiral_holding(Bezier_curve_2<double>(row.control_points, row.weights), row.t0, row.t1);
+      if (spiral) place.first->second = formula_conditions(formula, *spiral, row.t0, row.t1);
+    }
+    const auto condition = place.first->second.find(row.quantity);
+    if (condition != place.first->second.end()) row.condition = condition->second;
   }
 }
 

@@ -4,8 +4,8 @@
 //
 // The time of work that is done several times.
 
-#ifndef BOUNDING_ARCS_LIBRARY_STUDY_LEAST_SECONDS_H
-#define BOUNDING_ARCS_LIBRARY_STUDY_LEAST_SECONDS_H
+#ifndef BOUNDING_ARCS_STUDY_LEAST_SECONDS_H
+#define BOUNDING_ARCS_STUDY_LEAST_SECONDS_H
 
 #include <algorithm>
 #include <chrono>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
-#include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -50,16 +50,25 @@ using Words = std::vector<std::string>;
 
 bool Worst_case_hunt::has_figures(const Stability_choice& choice) { return !figures_of(choice).empty(); }
 
-Worst_case_hunt::Worst_case_hunt(const Stability_choice& choice, unsigned seed)
-    : figures_(figures_of(choice)), random_(seed), spirals_(seed) {
+Worst_case_hunt::Worst_case_hunt(const Stability_choice& choice, unsigned seed) : random_(seed), spirals_(seed) {
+  for (const Stability_choice& figure : figures_of(choice))
+    figures_.push_back(
+        [figure](const Study_piece& piece) { return stability_rows(piece.spiral, piece.t0, piece.t1, figure); });
   if (figures_.empty()) throw std::invalid_argument(expected("choice", "at least one figure that there is", "none"));
+}
+
+Worst_case_hunt::Worst_case_hunt(Measure measure, std::vector<Study_piece> starts, unsigned seed)
+    : figures_{std::move(measure)}, random_(seed), own_starts_(std::move(starts)), spirals_(seed) {}
+
+Study_piece Worst_case_hunt::start() {
+  return own_starts_.empty() ? spirals_.next() : own_starts_[random_() % own_starts_.size()];
 }
 
 void Worst_case_hunt::step() {
   ++steps_;
   if (starts_ < HUNT_STARTS) {
     ++starts_;
-    const std::optional<Place> start = measured(spirals_.next());
+    const std::optional<Place> start = measured(this->start());
     if (start && (!place_ || place_->error < start->error)) place_ = start;
     return;
   }
@@ -82,13 +91,16 @@ void Worst_case_hunt::start_climb() {
 }
 
 auto Worst_case_hunt::measured(Study_piece piece) -> std::optional<Place> {
-  const auto rows = stability_rows(piece.spiral, piece.t0, piece.t1, figures_[figure_]);
+  const std::vector<Stability_row> rows = figures_[figure_](piece);
   if (rows.empty()) return std::nullopt;
+  double error = 0;
+  for (const Stability_row& row : rows)
+    if (row.quantity.find(", estimated") == std::string::npos) error = (std::max)(error, row.rel_error);
   piece.family = "hunt";
   piece.delta = static_cast<double>(steps_);
   piece.number = steps_;
   worst_.add(piece, rows);
-  return Place{std::move(piece), rows.front().rel_error};
+  return Place{std::move(piece), error};
 }
 
 // One number of the curve moved, where the piece is one of a spiral segment then.
@@ -106,7 +118,7 @@ std::optional<Study_piece> Worst_case_hunt::neighbour(const Study_piece& piece) 
   if (!(t0 >= 0 && t0 < t1 && t1 <= 1)) return std::nullopt;
   try {
     const auto spiral = spiral_holding(Bezier_curve_2<double>(std::move(points), std::move(weights)), t0, t1);
-    if (spiral) return Study_piece{piece.family, piece.delta, *spiral, t0, t1, piece.number};
+    if (spiral) return Study_piece{piece.family, piece.delta, *spiral, t0, t1, piece.number, piece.placement};
   } catch (const std::invalid_argument&) {  // a curve that is not served
   }
   return std::nullopt;

@@ -4,12 +4,13 @@
 //
 // The figures of a region in MPFR enclosures, as narrow as asked, and how far floating figures are from them.
 
-#ifndef CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_FIGURE_ERRORS_H
-#define CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_FIGURE_ERRORS_H
+#ifndef BOUNDING_ARCS_STUDY_FIGURE_ERRORS_H
+#define BOUNDING_ARCS_STUDY_FIGURE_ERRORS_H
 
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/study/Region_figures.h>
-#include <CGAL/Bounding_arcs_2/study/internal/Enclosed_piece.h>
+#include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/Textbook.h>
+#include "Enclosed_piece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +57,32 @@ template <class Construction> [[nodiscard]] std::optional<Exact_figures> exact_f
 /// has fewer digits by the type's design.  Both are at most the largest double.
 struct Deviation {
   double absolute = 0, relative = 0;
+  std::optional<Figure_value> computed = {}, exact = {};  // of the figure with the largest relative error
+
   void include(const Deviation& other) {
+    if (!exact || relative < other.relative) {
+      computed = other.computed;
+      exact = other.exact;
+    }
     absolute = (std::max)(absolute, other.absolute);
     relative = (std::max)(relative, other.relative);
   }
 };
+
+/// A number of enclosures in the digits of two doubles; nothing where it is out of their range.
+[[nodiscard]] inline std::optional<Double_double> in_two_doubles(const Mpfr_interval& x) {
+  const double high = x.middle();
+  if (!std::isfinite(high)) return std::nullopt;
+  return Double_double(high, (x - Mpfr_interval(high)).middle(), 0);
+}
+[[nodiscard]] inline std::optional<Figure_value> figure_value(const Mpfr_interval& x) {
+  const auto value = in_two_doubles(x);
+  return value ? std::optional<Figure_value>({{*value, 0}, false}) : std::nullopt;
+}
+[[nodiscard]] inline std::optional<Figure_value> figure_value(const Xy<Mpfr_interval>& p) {
+  const auto x = in_two_doubles(p.x), y = in_two_doubles(p.y);
+  return x && y ? std::optional<Figure_value>({{*x, *y}, true}) : std::nullopt;
+}
 
 [[nodiscard]] inline double finite(const Mpfr_interval& x) {
   return (std::min)(x.middle(), (std::numeric_limits<double>::max)());
@@ -78,8 +100,12 @@ template <class T> [[nodiscard]] Deviation deviation_of_infinity(const Mpfr_inte
 }
 
 template <class T> [[nodiscard]] Deviation deviation(const T& x, const Mpfr_interval& exact) {
-  if (!std::isfinite(x)) return deviation_of_infinity<T>(abs(exact));
-  return deviation<T>(abs(Mpfr_interval(x) - exact), abs(exact));
+  const bool is_there = std::isfinite(x);
+  Deviation d =
+      is_there ? deviation<T>(abs(Mpfr_interval(x) - exact), abs(exact)) : deviation_of_infinity<T>(abs(exact));
+  if (is_there) d.computed = figure_value(Mpfr_interval(x));
+  d.exact = figure_value(exact);
+  return d;
 }
 
 /// The length of a vector whose coordinates may be about 0: squares of such intervals reach below it.
@@ -92,11 +118,16 @@ template <class T> [[nodiscard]] Deviation deviation(const T& x, const Mpfr_inte
 template <class T>
 [[nodiscard]] Deviation deviation(const Xy<T>& p, const Xy<T>& start, const Xy<Mpfr_interval>& exact) {
   const Mpfr_interval length = sqrt(dot(exact, exact));
-  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return deviation_of_infinity<T>(length);
   // the sums take the precision of the exact coordinates, so that they come first
-  const Xy<Mpfr_interval> difference{Mpfr_interval(p.x) - (exact.x + Mpfr_interval(start.x)),
-                                     Mpfr_interval(p.y) - (exact.y + Mpfr_interval(start.y))};
-  return deviation<T>(length_about_zero(difference), length);
+  const Xy<Mpfr_interval> place{exact.x + Mpfr_interval(start.x), exact.y + Mpfr_interval(start.y)};
+  Deviation d = deviation_of_infinity<T>(length);
+  if (std::isfinite(p.x) && std::isfinite(p.y)) {
+    const Xy<Mpfr_interval> computed{Mpfr_interval(p.x), Mpfr_interval(p.y)};
+    d = deviation<T>(length_about_zero(computed - place), length);
+    d.computed = figure_value(computed);
+  }
+  d.exact = figure_value(place);
+  return d;
 }
 
 /// The sine of the angle between two vectors; 1 where they point to opposite sides, or one is none.
@@ -104,8 +135,9 @@ template <class T> [[nodiscard]] Deviation deviation_of_direction(const Xy<T>& v
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || (v.x == 0 && v.y == 0)) return {1, 1};
   const Xy<Mpfr_interval> w{Mpfr_interval(v.x), Mpfr_interval(v.y)};
   if (dot(exact, w).certain_sign() <= 0) return {1, 1};
-  const double sine = finite(abs(cross(exact, w)) / sqrt(dot(exact, exact) * dot(w, w)));
-  return {sine, sine};
+  const Mpfr_interval length = sqrt(dot(w, w)), exact_length = sqrt(dot(exact, exact)), one(1);
+  const double sine = finite(abs(cross(exact, w)) / (exact_length * length));
+  return {sine, sine, figure_value((one / length) * w), figure_value((one / exact_length) * exact)};
 }
 
 /// The point of a line next to a start, seen from there. A line of floating numbers is taken as exact: evaluated with
@@ -148,7 +180,11 @@ template <class T>
   const Mpfr_interval length = sqrt(dot(exact, exact));
   if (!std::isfinite(line.a) || !std::isfinite(line.b) || !std::isfinite(line.c) || (line.a == 0 && line.b == 0))
     return {finite(length), 1};
-  return deviation<T>(length_about_zero(foot(line, start) - exact), length);
+  const Xy<Mpfr_interval> computed = foot(line, start), place{Mpfr_interval(start.x), Mpfr_interval(start.y)};
+  Deviation d = deviation<T>(length_about_zero(computed - exact), length);
+  d.computed = figure_value(computed + place);
+  d.exact = figure_value(exact + place);
+  return d;
 }
 
 /// The worst of a region's circles and joints, and its thickness.

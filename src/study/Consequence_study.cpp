@@ -7,11 +7,9 @@
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/study/Consequence_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
-#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
-#include <CGAL/Bounding_arcs_2/study/internal/textbook_steps.h>
 #include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
-#include "plain_frame.h"
+#include "figure_errors.h"
 
 #include <algorithm>
 #include <cmath>

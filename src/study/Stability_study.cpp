@@ -15,16 +15,12 @@
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
-#include <CGAL/Bounding_arcs_2/study/Axis_box.h>
-#include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
-#include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
-#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
+#include <CGAL/Bounding_arcs_2/study/boxes_and_hulls.h>
+#include <CGAL/Bounding_arcs_2/study/fat_arcs.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
-#include "plain_frame.h"
+#include "figure_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +119,10 @@ class Stability_measurement {
     const auto frames = study_frames<T>(spiral_, t0_, t1_, parts);
     const Deviation d =
         frames ? deviation(T(Yardstick::thickness(frames->textbook.shape)), exact) : Deviation{finite(exact), 1};
-    rows_.push_back({{}, 0, Yardstick::NAME, "textbook", kernel, "thickness", d.relative, d.absolute});
+    Stability_row row{{}, 0, Yardstick::NAME, "textbook", kernel, "thickness"};
+    fill(row, d);
+    row.frame = FROM_START;
+    rows_.push_back(std::move(row));
   }
 
   template <class T> void make_frames(const char* kernel) {
@@ -152,8 +151,9 @@ class Stability_measurement {
     const std::optional<Study_frames<T>>& frames = std::get<std::optional<Study_frames<T>>>(frames_);
     for (const char* formula : {"textbook", "stable"}) {
       if (!Stability_choice::names(choice_.formulas, formula)) continue;
-      const Stability_row row{{}, 0, Stable::NAME, formula, kernel, {}};
       const bool is_stable = formula[0] == 's';
+      Stability_row row{{}, 0, Stable::NAME, formula, kernel, {}};
+      row.frame = is_stable ? FROM_START : IN_PLACE;
       if (!frames && !is_stable) append_bisector(row, Region_figures<T>(), Xy<T>{});
       if (!frames) append(row, figure_errors(Region_figures<T>(), {}, exact), exact, INFINITE);
       else if (is_stable)
@@ -173,10 +173,12 @@ class Stability_measurement {
     if (!Stability_choice::names(choice_.kernels, "filtered")) return;
     const Chord_frame_2<double>&frame = filtered_, at_origin = frame_at_origin(frame.shape);
     Stability_row row{{}, 0, Stable_traits::Construction::NAME, "textbook", "filtered", {}};
+    row.frame = IN_PLACE;
     if (Stability_choice::names(choice_.formulas, row.formula))
       append(row, figure_errors(region_figures_of_traits(Textbook_traits(), frame), frame.p0, exact), exact,
              [&] { return boundary_of_traits(Textbook_traits(), frame); });
     row.formula = "stable";
+    row.frame = FROM_START;
     if (Stability_choice::names(choice_.formulas, row.formula))
       append(row, figure_errors(region_figures_of_traits(Stable_traits(), at_origin), Xy<double>{}, exact), exact,
              [&] { return boundary_of_traits(Stable_traits(), frame); });
@@ -195,9 +197,17 @@ class Stability_measurement {
       worst.include(i < figures.bisectors.size() ? deviation_of_line(figures.bisectors[i], start, feet_[i])
                                                  : Deviation{finite(sqrt(dot(feet_[i], feet_[i]))), 1});
     row.quantity = "bisector";
-    row.rel_error = worst.relative;
-    row.abs_error = worst.absolute;
+    fill(row, worst);
     if (!feet_.empty()) rows_.push_back(std::move(row));
+  }
+
+  static constexpr const char *IN_PLACE = "in place", *FROM_START = "from the start";
+
+  static void fill(Stability_row& row, const Deviation& d) {
+    row.rel_error = d.relative;
+    row.abs_error = d.absolute;
+    row.computed = d.computed;
+    row.exact = d.exact;
   }
 
   // In place of a boundary where a number type has no number for a coordinate.
@@ -209,8 +219,7 @@ class Stability_measurement {
     const auto add = [&](const char* quantity, const Deviation& d) {
       if (!Stability_choice::names(choice_.quantities, quantity)) return;
       row.quantity = quantity;
-      row.rel_error = d.relative;
-      row.abs_error = d.absolute;
+      fill(row, d);
       rows_.push_back(row);
     };
     add("normal", errors.normal);
@@ -219,6 +228,8 @@ class Stability_measurement {
     if (!exact.joints.empty()) add("joint", errors.joint);
     add("thickness", errors.thickness);
     row.quantity = "outside";
+    row.frame = IN_PLACE;
+    row.computed = row.exact = std::nullopt;
     if (Stability_choice::names(choice_.quantities, row.quantity)) append_outside(std::move(row), boundary);
   }
 

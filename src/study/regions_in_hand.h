@@ -19,26 +19,168 @@
 // (tree/Spiral_piece_2.h), for the others it is measured only: they are here to be compared with. Where a kind is not
 // defined, as on lines, or comes out thicker, it steps back to BCA.
 
-#ifndef BOUNDING_ARCS_LIBRARY_STUDY_REGIONS_IN_HAND_H
-#define BOUNDING_ARCS_LIBRARY_STUDY_REGIONS_IN_HAND_H
+#ifndef BOUNDING_ARCS_STUDY_REGIONS_IN_HAND_H
+#define BOUNDING_ARCS_STUDY_REGIONS_IN_HAND_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/study/Axis_box.h>
-#include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
-#include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
-#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/study/boxes_and_hulls.h>
+#include <CGAL/Bounding_arcs_2/study/fat_arcs.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
-#include "Convex_region_2.h"
-#include "Fat_chain_2.h"
+
+#include <CGAL/Bbox_2.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// The piece is in the box, and both of its ends are given.
+struct Piece_box_2 {
+  CGAL::Bbox_2 box;
+  Xy<double> from, to;
+};
+
+/// The piece is within `radius` of a convex polygon, counterclockwise, and both of its ends are given.
+struct Convex_region_2 {
+  static constexpr std::size_t MOST_POINTS = 15;  ///< more points are given as the box along the chord that holds them
+  boost::container::static_vector<Xy<double>, MOST_POINTS + 1> points;  ///< one more while a hull is made
+  double radius = 0;
+  Xy<double> from, to;
+};
+
+[[nodiscard]] inline double half_width(const Piece_box_2& p) {
+  return 0.5 * (std::min)(p.box.xmax() - p.box.xmin(), p.box.ymax() - p.box.ymin());
+}
+[[nodiscard]] inline double half_width(const Convex_region_2& p) {
+  double height = 0;
+  const Xy<double> chord = p.to - p.from;
+  const double length = euclidean_norm(chord);
+  for (const Xy<double>& q : p.points) height = (std::max)(height, std::fabs(cross(chord, q - p.from)));
+  return p.radius + (length > 0 ? 0.5 * height / length : 0);
+}
+
+/// What is added to lengths that are sums and products of coordinates no larger than this.
+[[nodiscard]] inline double rounding_of_lengths(double size) { return 32 * HALF_ULP * size; }
+
+/// The distance from a segment.
+[[nodiscard]] inline double distance_from_segment(const Xy<double>& q, const Xy<double>& a, const Xy<double>& b) {
+  const Xy<double> side = b - a, way = q - a;
+  const double square = dot(side, side), share = square > 0 ? std::clamp(dot(way, side) / square, 0.0, 1.0) : 0;
+  return euclidean_norm(way - share * side);
+}
+/// An upper bound of the distance from the nearer end of a piece, which is a point of it.
+[[nodiscard]] inline double distance_from_ends(const Xy<double>& q, const Xy<double>& from, const Xy<double>& to) {
+  return (std::min)(euclidean_norm(q - from), euclidean_norm(q - to));
+}
+
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Piece_box_2& p) {
+  const double dx = (std::max)({p.box.xmin() - q.x, q.x - p.box.xmax(), 0.0}),
+               dy = (std::max)({p.box.ymin() - q.y, q.y - p.box.ymax(), 0.0});
+  const double diagonal = p.box.xmax() - p.box.xmin() + p.box.ymax() - p.box.ymin(),
+               upper = distance_from_ends(q, p.from, p.to);
+  const double room = rounding_of_lengths(upper + diagonal);
+  return {(std::max)(0.0, stable_norm(Xy<double>{dx, dy}) - room), upper + diagonal * 0x1p-40 + room};
+}
+[[nodiscard]] inline double least_distance(const Piece_box_2& p, const Piece_box_2& q) {
+  const double dx = (std::max)({p.box.xmin() - q.box.xmax(), q.box.xmin() - p.box.xmax(), 0.0}),
+               dy = (std::max)({p.box.ymin() - q.box.ymax(), q.box.ymin() - p.box.ymax(), 0.0});
+  return stable_norm(Xy<double>{dx, dy}) * ROUNDED_DOWN<8>;
+}
+[[nodiscard]] inline bool are_apart(const Piece_box_2& p, const Piece_box_2& q) { return !do_overlap(p.box, q.box); }
+
+/// The distance of a point from the polygon, 0 inside; one without an area has no inside.
+[[nodiscard]] inline double distance_from_polygon(const Xy<double>& q, const Convex_region_2& p) {
+  bool is_inside = false;
+  for (std::size_t i = 2; i < p.points.size(); ++i)
+    is_inside = is_inside || cross(p.points[i - 1] - p.points[0], p.points[i] - p.points[0]) > 0;
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < p.points.size(); ++i) {
+    const Xy<double>&a = p.points[i], &b = p.points[(i + 1) % p.points.size()];
+    is_inside = is_inside && cross(b - a, q - a) >= 0;
+    least = (std::min)(least, distance_from_segment(q, a, b));
+  }
+  return is_inside ? 0 : least;
+}
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Convex_region_2& p) {
+  const double upper = distance_from_ends(q, p.from, p.to) + p.radius,
+               room = rounding_of_lengths(upper + euclidean_norm(p.to - p.from));
+  return {(std::max)(0.0, distance_from_polygon(q, p) - p.radius - room), upper + room};
+}
+/// How far all of q is at least beyond a side of p, of all sides the largest.
+[[nodiscard]] inline double separation(const Convex_region_2& p, const Convex_region_2& q) {
+  double most = 0;
+  for (std::size_t i = 0; i < p.points.size(); ++i) {
+    const Xy<double>&a = p.points[i], &b = p.points[(i + 1) % p.points.size()];
+    const double length = euclidean_norm(b - a);
+    if (!(length > 0)) continue;
+    double least = HUGE_VAL;
+    for (const Xy<double>& c : q.points) least = (std::min)(least, cross(c - a, b - a));
+    most = (std::max)(most, least / length);
+  }
+  return most;
+}
+/// The distance between polygons that a side of one keeps apart, by that of corners of each from sides of the other.
+[[nodiscard]] inline double least_distance(const Convex_region_2& p, const Convex_region_2& q) {
+  const double radii = p.radius + q.radius,
+               size = euclidean_norm(p.from - q.from) + euclidean_norm(p.to - p.from) + euclidean_norm(q.to - q.from);
+  if (!(separation(p, q) > 0) && !(separation(q, p) > 0)) return 0;
+  double least = HUGE_VAL;
+  for (const Xy<double>& c : q.points) least = (std::min)(least, distance_from_polygon(c, p));
+  for (const Xy<double>& c : p.points) least = (std::min)(least, distance_from_polygon(c, q));
+  return (std::max)(0.0, least - radii - rounding_of_lengths(size));
+}
+[[nodiscard]] inline bool are_apart(const Convex_region_2& p, const Convex_region_2& q) {
+  const double radii = p.radius + q.radius,
+               size = euclidean_norm(p.from - q.from) + euclidean_norm(p.to - p.from) + euclidean_norm(q.to - q.from);
+  return (std::max)(separation(p, q), separation(q, p)) > radii + rounding_of_lengths(size);
+}
+
+/// The first `size` parts hold the piece, one after the other.
+struct Fat_chain_2 {
+  Fat_arc_2 parts[2];
+  std::size_t size = 1;
+
+  [[nodiscard]] const Fat_arc_2* begin() const { return parts; }
+  [[nodiscard]] const Fat_arc_2* end() const { return parts + size; }
+};
+
+[[nodiscard]] inline double half_width(const Fat_chain_2& chain) { return chain.parts[0].radius; }
+
+/// Bounds of the distance from a point to the piece.
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Fat_chain_2& chain) {
+  Bracket least{HUGE_VAL, HUGE_VAL};
+  for (const Fat_arc_2& part : chain) {
+    const Bracket d = distance_bounds(q, part);
+    least = {(std::min)(least.lower, d.lower), (std::min)(least.upper, d.upper)};
+  }
+  return least;
+}
+/// A lower bound of the distance of two pieces.
+[[nodiscard]] inline double least_distance(const Fat_chain_2& a, const Fat_chain_2& b) {
+  double least = HUGE_VAL;
+  for (const Fat_arc_2& p : a)
+    for (const Fat_arc_2& q : b) least = (std::min)(least, least_distance(p, q));
+  return least;
+}
+/// Whether two pieces for certain have no common point; false may mean that it is not known.
+[[nodiscard]] inline bool are_apart(const Fat_chain_2& a, const Fat_chain_2& b) {
+  for (const Fat_arc_2& p : a)
+    for (const Fat_arc_2& q : b)
+      if (!are_apart(p, q)) return false;
+  return true;
+}
+
+}  // namespace CGAL::Bounding_arcs
 
 namespace CGAL::Bounding_arcs::study {
 
@@ -180,6 +322,34 @@ template <class Construction>
   else if constexpr (std::is_same_v<Construction, Oriented_box>) return box_over_chord(curves.region(piece));
   else return hull_in_hand(curves, piece);
 }
+
+/// Regions of segments are kept, those of pieces made where a search asks for them, and both are counted.
+/// \tparam Region_ of a piece in hand: searches are compiled once for all kinds that have one form
+template <class Region_> class Region_hierarchy : public Segment_hierarchy {
+ public:
+  using Region = Region_;
+  using Make = Region (*)(const Segment_hierarchy&, const Spiral_piece_2&);
+
+  Region_hierarchy(const Segment_hierarchy& curves, Make make) : Segment_hierarchy(curves), make_(make) {
+    regions_.reserve(number_of_segments());
+    for (std::uint32_t i = 0; i < number_of_segments(); ++i) regions_.push_back(make(*this, piece(i)));
+  }
+  [[nodiscard]] const Region& region(std::uint32_t segment) const {
+    ++asked_;
+    return regions_[segment];
+  }
+  [[nodiscard]] Region region(const Spiral_piece_2& piece) const {
+    ++asked_;
+    return make_(*this, piece);
+  }
+  /// How many regions were asked for.
+  [[nodiscard]] std::size_t asked() const { return asked_; }
+
+ private:
+  Make make_;
+  std::vector<Region> regions_;
+  mutable std::size_t asked_ = 0;
+};
 
 }  // namespace CGAL::Bounding_arcs::study
 

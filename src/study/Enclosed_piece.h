@@ -2,11 +2,11 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The chord shape of a piece in MPFR enclosures of any precision: from the exact differences of the control points,
-// which is quick, or where that leaves a sign open from the exact shape.
+// A piece of a spiral segment in other numbers: in MPFR enclosures of any precision, from the exact differences of the
+// control points, which is quick, or where that leaves a sign open from the exact shape; and in plain numbers.
 
-#ifndef CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_ENCLOSED_PIECE_H
-#define CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_ENCLOSED_PIECE_H
+#ifndef BOUNDING_ARCS_STUDY_ENCLOSED_PIECE_H
+#define BOUNDING_ARCS_STUDY_ENCLOSED_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
@@ -77,6 +77,16 @@ class Enclosed_piece {
   mpfr_prec_t bits_ = 0;
   Chord_shape_2<Mpfr_interval> enclosure_;
 };
+
+/// The piece [t0, t1] in its place, in T, of a curve in T whose unit of lengths has a number there: as a program
+/// without this library's care has it, with no more digits than T.
+template <class T>
+[[nodiscard]] Chord_frame_2<T> plain_frame(const Bezier_curve_2<T>& curve, const Bezier_spiral_2<double>& spiral,
+                                           double t0, double t1, const Shape_parts& parts = {}) {
+  const double unit = length_unit(spiral.curve());
+  return {curve.point(T(t0)), curve.point(T(t1)),
+          bezier_chord_shape(Taylor_table<T>(curve, unit), T(t0), T(t1), parts, spiral.orders(t0, t1))};
+}
 
 }  // namespace CGAL::Bounding_arcs::study
 

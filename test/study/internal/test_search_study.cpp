@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
-#include "../../src/library/study/Region_hierarchy.h"
+#include "../../../src/study/regions_in_hand.h"
 
 #include <gtest/gtest.h>
 
