@@ -14,7 +14,9 @@
 
 #if defined(__SIZEOF_FLOAT128__) || defined(DOXYGEN)
 
+/// \cond
 __extension__ typedef __float128 bounding_arcs_float128;  // NOLINT: an alias with `using` would be warned of
+/// \endcond
 
 namespace CGAL::Bounding_arcs {
 
@@ -59,8 +61,9 @@ class Quad {
 
 namespace study {
 
-// The class that a formula gets for a number type.
+/// The class that a formula gets for a number type.
 template <class NT> struct Studied_type { using Type = NT; };
+/// Quad for __float128.
 template <> struct Studied_type<bounding_arcs_float128> { using Type = Quad; };
 
 }  // namespace study

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Regions of all three kinds are proven to hold a curve's pieces and to be thin, and a distance is where samples have it.
+// Regions of all three kinds are proven to hold a curve's pieces and to be thin. A distance is where samples have it.
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
