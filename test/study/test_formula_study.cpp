@@ -217,6 +217,7 @@ TEST(FormulaStudy, HuntsForTheWorstCaseOfAFormula) {
   EXPECT_EQ(found.rel_error, again.worst().rows().front().rel_error);
   EXPECT_EQ(found.method, "school");
   EXPECT_EQ(found.family, "hunt");
+  EXPECT_EQ(found.placement, pieces.front().placement);  // it climbed from one of them
   // What is found is measured again from its row.
   const auto spiral = spiral_holding(Bezier_curve_2<double>(found.control_points, found.weights), found.t0, found.t1);
   ASSERT_TRUE(spiral);
