@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/study/Region_kind.h>
+#include <CGAL/Bounding_arcs_2/study/Search_study.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -4,12 +4,9 @@
 
 #include "hierarchy_implementation.h"
 
-#include <CGAL/Bounding_arcs_2/study/Axis_box.h>
-#include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
-#include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
-#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/study/convergence_order.h>
+#include <CGAL/Bounding_arcs_2/study/Search_study.h>
+#include <CGAL/Bounding_arcs_2/study/boxes_and_hulls.h>
+#include <CGAL/Bounding_arcs_2/study/fat_arcs.h>
 
 #include <CGAL/Simple_cartesian.h>
 

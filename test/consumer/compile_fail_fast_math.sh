@@ -38,6 +38,9 @@ for compiler in "$@"; do
     [[ $code == *mulsd* ]] || { echo "$compiler does not multiply"; exit 1; }
     [[ $code != *vfm* ]] || { echo "$compiler contracts"; exit 1; }
   else
-    refused 'BOUNDING_ARCS_NO_CONTRACTION' -mfma
+    accepted -mfma  # nothing is contracted without optimisation
+    refused 'BOUNDING_ARCS_NO_CONTRACTION' -mfma -O2
+    refused '-fno-signed-zeros' $told -fno-signed-zeros
+    refused '-fno-signed-zeros' $told -fsingle-precision-constant
   fi
 done

@@ -102,6 +102,14 @@ counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
 [ "$("$scratch/installed/drawing" "$source/examples/data/a_wrench.json")" = "$counts" ] ||
   fail 'installed: the readers gave another drawing'
 
+# The laboratory is a component of its own: a researcher's program links it, and the library does not contain it.
+[ "$("$scratch/installed/own_formula")" = "$(cat "$source/examples/own_formula.expected.txt")" ] ||
+  fail 'installed: the study printed something else'
+symbols=$(nm --demangle "$(find "$scratch/moved/prefix" -name libBounding_arcs.a)")
+grep -q 'convex_hull' <<< "$symbols" || fail 'the library has no symbols'
+! grep -E 'stability_rows|search_report|CGAL::Bounding_arcs::study::' <<< "$symbols" ||
+  fail 'the library contains studies'
+
 # Without CMake, by what pkg-config tells: README's program as it is printed there, which prints what README says. This
 # is the other compiler's turn.
 block() { awk -v kind="$1" '/^```/ { if (on) exit; on = found && $0 == "```" kind; next } on
@@ -119,10 +127,20 @@ cp "$source/examples/data/d_rabbit.json" "$scratch"
 [ "$(cd "$scratch" && ./readme)" = "$printed" ] ||
   fail 'the program in README.md prints something else'
 echo '#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>' > "$scratch/reader.cpp"
+grep -qe -lBounding_arcs_study <<< "$(tells --libs bounding_arcs_study)" || fail 'pkg-config does not tell the study'
 # shellcheck disable=SC2046
 quietly "$other" -std=c++17 -fsyntax-only "$scratch/reader.cpp" $(tells --cflags bounding_arcs_readers)
 [ "$(tells --modversion bounding_arcs)" = "$("$scratch/moved/prefix/bin/bounding_arcs" --version | sed 's/.* //')" ] ||
   fail 'pkg-config tells another version'
+
+# Where the laboratory was not installed that is said.
+config=$package/Bounding_arcsConfig.cmake
+cp "$config" "$scratch/config"
+sed -i 's/^set(Bounding_arcs_study_FOUND TRUE)/set(Bounding_arcs_study_FOUND FALSE)/' "$config"
+! cmake -S "$consumers/installed" -B "$scratch/refused_study" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_PREFIX_PATH="$scratch/moved/prefix" > "$scratch/log" 2>&1 || fail 'refused: a study was found'
+grep -q 'without its component study' "$scratch/log" || { cat "$scratch/log"; fail 'refused: for another reason'; }
+cp "$scratch/config" "$config"
 
 # What the consumer has installed passes Bounding Arcs on.
 quietly cmake --install "$scratch/installed" --prefix "$scratch/installed-prefix"

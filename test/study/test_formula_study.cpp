@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,135 @@ TEST(FormulaStudy, TellsHowManyPiecesStayUndecided) {
   study.add<double>("double");
   EXPECT_EQ(study.undecided(), 3u);
   EXPECT_TRUE(study.rows().empty());
+}
+
+// The height of the circle that touches at the start, over the chord: a difference of two lengths.
+struct Height {
+  template <class NT> Named_figures<NT> operator()(const Formula_piece<NT>& piece) const {
+    const Chord_shape_2<NT>& f = piece.shape;
+    const NT c = square_root(dot(f.chord, f.chord)) / NT(2), sine = absolute(f.cross0) / NT(2) / c;
+    const NT r = c / sine * square_root(dot(f.tangent0, f.tangent0));
+    return {{"height", NT(f.unit * (r - square_root(NT(r * r - c * c))))}};
+  }
+};
+
+TEST(FormulaStudy, TakesFloat128) {
+  Formula_study<Height> study("school", Height(), few_pieces());
+  study.add<double>("double");
+  study.add<__float128>("quad");
+  study.add<Quad>("class");
+  auto errors = largest(study);
+  EXPECT_GT(errors["quad height"], 0);
+  EXPECT_LT(errors["quad height"], 1e-15 * errors["double height"]);
+  EXPECT_EQ(errors["quad height"], errors["class height"]);
+}
+
+TEST(Quad, RootsAreWithinOneUlp) {
+  for (const double x : {2.0, 0.3, 1e300, 1e-300, 4.0, 7e-310}) {
+    const Quad root = sqrt(Quad(x) / 3), rest = root * root - Quad(x) / 3;
+    EXPECT_LE(std::fabs(static_cast<double>(rest / root / root)), 3 * 0x1p-112) << x;  // 2 of the root, 1 of the square
+  }
+  EXPECT_EQ(static_cast<double>(sqrt(Quad(0))), 0);
+  EXPECT_TRUE(std::isnan(static_cast<double>(sqrt(Quad(-1)))));
+}
+
+TEST(FormulaStudy, RowsHaveBothFiguresAndWhereTheyAreOf) {
+  Formula_study<Height> study("school", Height(), few_pieces());
+  study.add<double>("double");
+  ASSERT_FALSE(study.rows().empty());
+  for (const Stability_row& row : study.rows()) {
+    ASSERT_TRUE(row.computed && row.exact);
+    const double off = static_cast<double>((row.computed->value.x - row.exact->value.x).hi);
+    EXPECT_NEAR(std::fabs(off), row.abs_error, 1e-6 * row.abs_error);
+    EXPECT_EQ(row.frame, "in place");
+    EXPECT_EQ(row.placement, few_pieces().front().placement);
+  }
+}
+
+// The height of an arc of radius r over a chord c is about c^2 / (8 r). Its formula takes away some u r of that.
+TEST(FormulaStudy, ConditionsTellWhatTheFormulaLost) {
+  Formula_study<Height> study("school", Height(), few_pieces());
+  study.add<double>("double");
+  for (const Stability_row& row : study.with_conditions(study.rows())) {
+    ASSERT_TRUE(row.condition);
+    EXPECT_GT(*row.condition, 1);
+    EXPECT_LT(*row.condition, 100);
+  }
+  Formula_study<Thickness> ours("bca", Thickness(), few_pieces());
+  ours.add<double>("double");
+  for (const Stability_row& row : ours.with_conditions(ours.rows())) {
+    const auto spiral = spiral_holding(Bezier_curve_2<double>(row.control_points, row.weights), row.t0, row.t1);
+    const auto known = figure_conditions(*spiral, row.t0, row.t1, "bca");
+    ASSERT_TRUE(known && row.condition);
+    EXPECT_NEAR(*row.condition, known->thickness, 1e-9 * known->thickness);
+  }
+}
+
+TEST(FormulaStudy, HuntsForTheWorstCaseOfAFormula) {
+  const std::vector<Study_piece> pieces = few_pieces();
+  Formula_study<Height> study("school", Height(), pieces);
+  study.add<double>("double");
+  const double before = largest(study)["double height"];
+  Worst_case_hunt hunt = study.hunt<double>("double", 3), again = study.hunt<double>("double", 3);
+  while (hunt.steps() < 400) hunt.step();
+  while (again.steps() < 400) again.step();
+  ASSERT_EQ(hunt.worst().rows().size(), 1u);
+  const Stability_row& found = hunt.worst().rows().front();
+  EXPECT_GT(found.rel_error, 1.2 * before);
+  EXPECT_EQ(found.rel_error, again.worst().rows().front().rel_error);
+  EXPECT_EQ(found.method, "school");
+  EXPECT_EQ(found.family, "hunt");
+  EXPECT_EQ(found.placement, pieces.front().placement);  // it climbed from one of them
+  // What is found is measured again from its row.
+  const auto spiral = spiral_holding(Bezier_curve_2<double>(found.control_points, found.weights), found.t0, found.t1);
+  ASSERT_TRUE(spiral);
+  Formula_study<Height> once("school", Height(), {{"once", 1, *spiral, found.t0, found.t1}});
+  once.add<double>("double");
+  EXPECT_EQ(once.rows().front().rel_error, found.rel_error);
+}
+
+TEST(FormulaStudy, HuntsFromRandomSpiralsWithoutPieces) {
+  Worst_case_hunt hunt = Formula_study<Height>("school", Height(), {}).hunt<Randomly_rounded>("random", 3);
+  while (hunt.steps() < 5) hunt.step();
+  EXPECT_EQ(hunt.worst().rows().front().placement, "random");
+}
+
+TEST(AddPlaced, MakesFamiliesOfOnesOwn) {
+  std::vector<Study_piece> pieces;
+  for (const double delta : {1.0, 0.1})
+    add_placed(pieces, "own", delta, Bezier_curve_2<double>({{0, 0}, {1, delta}, {2, 0}}));
+  ASSERT_EQ(pieces.size(), 10u);
+  EXPECT_EQ(pieces[7].number, 7u);
+  EXPECT_EQ(pieces[7].delta, 0.1);
+  EXPECT_EQ(pieces[0].placement, "as given");
+  EXPECT_EQ(pieces[9].placement, "turned, moved, reversed");
+  EXPECT_EQ(pieces[1].spiral.curve().control_points()[0].x, 2);
+}
+
+TEST(WriteCsv, HasAFieldForEachName) {
+  Formula_study<Height> study("school, \"own\"", Height(), few_pieces());
+  study.add<double>("double");
+  std::stringstream out;
+  write_csv(out, {study.rows().front()});
+  std::string names, line, more;
+  std::getline(out, names);
+  std::getline(out, line);
+  EXPECT_FALSE(std::getline(out, more));
+  EXPECT_EQ(names.substr(0, 48), "family,delta,method,formula,kernel,quantity,rel_");
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (const char c : line) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (c == ',' && !is_quoted) fields.emplace_back();
+    else fields.back() += c;
+  }
+  EXPECT_EQ(static_cast<long>(fields.size()), 1 + std::count(names.begin(), names.end(), ','));
+  EXPECT_EQ(fields[2], "\"school, \"\"own\"\"\"");
+  EXPECT_EQ(std::stod(fields[6]), study.rows().front().rel_error);
+  const double computed = std::stod(fields[8]), exact = std::stod(fields[9]);
+  EXPECT_NEAR(computed, exact, 1e-9 * exact);
+  EXPECT_GT(fields[9].size(), 30u);  // far more digits than a double has
+  EXPECT_EQ(fields[14].substr(0, 19), "\"{\"\"type\"\":\"\"bezier");
 }
 
 TEST(RandomlyRounded, ExactResultsStayWhatTheyAre) {

@@ -10,8 +10,6 @@
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
-#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
-#include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 
@@ -344,16 +342,6 @@ TEST(StabilityRows, StepsTellWhereDigitsAreLost) {
     EXPECT_LT(r.rel_error, 8 * ULP * place / chord);
     EXPECT_GT(r.rel_error, ULP * place / chord / 64);
   }
-}
-
-TEST(FigureErrors, OfLinesAndDirectionsHaveClosedForms) {
-  const auto exact = [](double x, double y) { return Xy<Mpfr_interval>{Mpfr_interval(x), Mpfr_interval(y)}; };
-  const Line_figure<double> upright{2, 0, -6};  // x = 3
-  EXPECT_EQ(study::deviation_of_line(upright, {1, 5}, exact(2, 0)).absolute, 0);
-  EXPECT_EQ(study::deviation_of_line(upright, {1, 5}, exact(4, 0)).relative, 0.5);
-  EXPECT_EQ(study::deviation_of_line<double>({0, 0, 1}, {1, 5}, exact(4, 0)).relative, 1);
-  EXPECT_NEAR(study::deviation_of_direction<double>({3, 0x1p-30}, exact(5, 0)).relative, 0x1p-30 / 3, 0x1p-80);
-  EXPECT_EQ(study::deviation_of_direction<double>({-1, 0}, exact(5, 0)).relative, 1);
 }
 
 // Tangents of a parabola are differences of control points, its foot is the chord's half.

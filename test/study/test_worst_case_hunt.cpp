@@ -7,7 +7,6 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
-#include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 
 #include <gtest/gtest.h>
 

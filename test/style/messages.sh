@@ -18,7 +18,7 @@ refuse() {
   status=1
 }
 
-mapfile -t sources < <(find include src/library src/input src/tool -name '*.h' -o -name '*.cpp' | sort)
+mapfile -t sources < <(find include src/library src/study src/input src/tool -name '*.h' -o -name '*.cpp' | sort)
 messages=$(awk -f test/style/messages.awk "${sources[@]}" | sort -u)
 [ "$(wc -l <<< "$messages")" -gt 100 ] || { echo 'Hardly a message was found in the sources'; exit 1; }
 

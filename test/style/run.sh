@@ -33,15 +33,16 @@ refuse 'Tests of the tool that do not end by finish, and so cannot fail:' \
   "$(for f in test/tool/test_*.sh; do tail -n 1 "$f" | grep -q '^finish' || echo "$f"; done)"
 refuse 'Longer than 120 columns:' "$(grep -nE '^.{121,}' "${sources[@]}" "${scripts[@]}" | cut -d: -f1,2)"
 # Rooms, ground first: a file includes from rooms before its own, and only what is at their top. What is in src/library
-# has the rooms of the headers.
+# has the rooms of the headers, and src/study is the room study.
 rooms='number polynomial curve arc frame spiral region tree query chain overlay boolean arrangement offset'
 rooms="$rooms medial_axis exchange verify study"
 refuse 'Includes from a later room, or from the inside of another one:' \
-  "$(grep -rnoE '#include (<CGAL/Bounding_arcs_2/|"[./]*\.\./)[^>"]+' include/CGAL/Bounding_arcs_2 src/library |
+  "$(grep -rnoE '#include (<CGAL/Bounding_arcs_2/|"[./]*\.\./)[^>"]+' include/CGAL/Bounding_arcs_2 src/library \
+    src/study |
     awk -F: -v rooms="$rooms" '
     BEGIN { for (n = split(rooms, r, " "); n > 0; --n) place[r[n]] = n }
-    { path = $1; sub(/^(include\/CGAL\/Bounding_arcs_2|src\/library)\//, "", path); split(path, own, "/")
-      sub(/.*(Bounding_arcs_2|\.\.)\//, "", $3); depth = split($3, other, "/")
+    { path = $1; sub(/^(include\/CGAL\/Bounding_arcs_2|src\/library|src)\//, "", path); split(path, own, "/")
+      sub(/.*(Bounding_arcs_2|\.\.)\/(library\/)?/, "", $3); depth = split($3, other, "/")
       is_below = place[other[1]] && place[other[1]] < place[own[1]]
       if (other[1] != own[1] && !(is_below && depth == 2)) print $1 ":" $2 }')"
 refuse 'Outside of a folder internal, the tool, examples and tests by what users do not see:' \

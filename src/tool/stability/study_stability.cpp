@@ -10,7 +10,6 @@
 #include "../Commands.h"
 
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
-#include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 
 #include <algorithm>

@@ -6,14 +6,14 @@
 // count these roundings, and cross products are antisymmetric by them. Every header of the library includes this one.
 //
 //   refused       -ffast-math, -Ofast, /fp:fast, and the parts of it that compilers tell of: finite numbers only,
-//                 reordered sums, reciprocals
+//                 reordered sums, reciprocals; by GCC also zeros without a sign and constants of single precision
 //   switched off  by a pragma, from here to the end of the source: contraction into fused multiply-adds, by Clang and
 //                 MSVC
-//   refused       GCC where the machine has fused multiply-adds (-mfma, -march=native, arm64): GCC has no such pragma,
-//                 contracts by default and does not tell of -ffp-contract=off. Who compiles with that option says so
-//                 by -DBOUNDING_ARCS_NO_CONTRACTION; the targets of CMake and pkg-config do
-//   not seen      -ffp-contract=fast behind these, which Clang prefers to the pragma; -fno-signed-zeros;
-//                 -funsafe-math-optimizations by compilers that do not tell of its parts; registers of 80 bits
+//   refused       GCC that optimises for a machine with fused multiply-adds (-mfma, -march=native, arm64): GCC has no
+//                 such pragma, contracts by default and does not tell of -ffp-contract=off. Who compiles with that
+//                 option says so by -DBOUNDING_ARCS_NO_CONTRACTION; the targets of CMake and pkg-config do
+//   not seen      -ffp-contract=fast behind these, which Clang prefers to the pragma; -fno-signed-zeros and
+//                 -funsafe-math-optimizations by compilers that do not tell of them; registers of 80 bits
 
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_STRICT_MATH_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_STRICT_MATH_H
@@ -29,12 +29,17 @@
 #error "Bounding Arcs: numbers that are not finite are tested for. Compile without -ffinite-math-only."
 #endif
 #endif
+#if defined(__GCC_IEC_559) && !defined(__clang__)
+#if __GCC_IEC_559 == 0
+#error "Bounding Arcs: the error bounds do not hold with -fno-signed-zeros or -fsingle-precision-constant."
+#endif
+#endif
 
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
-#elif defined(__GNUC__) && defined(__FP_FAST_FMA) && !defined(BOUNDING_ARCS_NO_CONTRACTION)
+#elif defined(__GNUC__) && defined(__OPTIMIZE__) && defined(__FP_FAST_FMA) && !defined(BOUNDING_ARCS_NO_CONTRACTION)
 #error "Bounding Arcs: GCC may contract to fused multiply-adds. Use -ffp-contract=off -DBOUNDING_ARCS_NO_CONTRACTION."
 #endif
 

@@ -8,13 +8,21 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_FORMULA_STUDY_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_FORMULA_STUDY_H
 
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/study/Quad.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
-#include <CGAL/Bounding_arcs_2/study/internal/Enclosed_piece.h>
-#include <CGAL/Bounding_arcs_2/study/internal/studied_value.h>
+#include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
 
+#include <CGAL/Uncertain.h>
+
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,7 +38,7 @@ template <class NT> struct Formula_piece {
   NT t0, t1;
   Chord_shape_2<NT> shape;  ///< as constructions of regions take it, with curvatures, without control points
 
-  /// The shape in its place.
+  /// Returns the shape in its place.
   [[nodiscard]] Chord_frame_2<NT> frame() const { return {curve.point(t0), curve.point(t1), shape}; }
 };
 
@@ -52,6 +60,84 @@ template <class NT> struct Named_figure {
 };
 template <class NT> using Named_figures = std::vector<Named_figure<NT>>;
 
+namespace study {
+
+using Enclosed_figures = Named_figures<Mpfr_interval>;
+using Enclosed_formula = std::function<Enclosed_figures(const Formula_piece<Mpfr_interval>&)>;
+
+/// A figure as a number type gave it, if it is finite.
+struct Computed_figure {
+  std::string name;
+  std::optional<Xy<Mpfr_interval>> value;
+  std::optional<double> estimated_error = {};
+};
+
+/// Computes figures narrower than 2^-80 of themselves; nothing where no precision makes them so.
+[[nodiscard]] std::optional<Enclosed_figures> enclosed_figures(const Enclosed_formula& formula,
+                                                               const Study_piece& piece);
+/// Makes a row of each figure, and of each estimated error. \param words what all rows share
+[[nodiscard]] std::vector<Stability_row> formula_rows(const std::vector<Computed_figure>& computed,
+                                                      const Enclosed_figures& exact, const Stability_row& words);
+/// Fills in the condition numbers of rows of a formula.
+void add_formula_conditions(const Enclosed_formula& formula, std::vector<Stability_row>& rows);
+
+template <class NT, class = void> inline constexpr bool has_inf_and_sup_v = false;
+template <class NT>
+inline constexpr bool
+    has_inf_and_sup_v<NT, std::void_t<decltype(std::declval<NT>().inf()), decltype(std::declval<NT>().sup())>> = true;
+template <class NT, class = void> inline constexpr bool has_bounds_v = false;
+template <class NT>
+inline constexpr bool
+    has_bounds_v<NT, std::void_t<decltype(std::declval<NT>().lower()), decltype(std::declval<NT>().upper())>> = true;
+template <class NT, class = void> inline constexpr bool estimates_errors_v = false;
+template <class NT>
+inline constexpr bool estimates_errors_v<NT, std::void_t<decltype(std::declval<NT>().estimated_error())>> = true;
+
+inline constexpr mpfr_prec_t VALUE_BITS = 1024;  // holds the sum of PARTS doubles of neighbouring sizes
+
+[[nodiscard]] inline Mpfr_interval long_number(double x) { return Mpfr_interval(CGAL::Exact_rational(x), VALUE_BITS); }
+
+/// The value of a number, as the sum of doubles that are taken off it, or what its bounds enclose; nothing where it is
+/// not finite.
+template <class NT> [[nodiscard]] std::optional<Mpfr_interval> value_of(NT x) {
+  const auto bounded = [](double low, double high) -> std::optional<Mpfr_interval> {
+    if (!std::isfinite(low) || !std::isfinite(high)) return std::nullopt;
+    return joined(long_number(low), long_number(high));
+  };
+  if constexpr (has_inf_and_sup_v<NT>) {
+    return bounded(x.inf(), x.sup());
+  } else if constexpr (has_bounds_v<NT>) {
+    return bounded(x.lower(), x.upper());
+  } else if constexpr (std::is_same_v<NT, Double_double>) {
+    if (!std::isfinite(x.hi) || !std::isfinite(x.lo)) return std::nullopt;
+    return long_number(x.hi) + long_number(x.lo);
+  } else {
+    constexpr int PARTS = 8;
+    Mpfr_interval sum = long_number(0);
+    for (int i = 0; i < PARTS; ++i) {
+      const auto part = static_cast<double>(x);
+      if (!std::isfinite(part)) return std::nullopt;
+      sum = sum + long_number(part);
+      if (estimates_errors_v<NT> || part == 0) break;
+      x = NT(x - NT(part));
+    }
+    return sum;
+  }
+}
+template <class NT> [[nodiscard]] std::optional<Xy<Mpfr_interval>> value_of(const Xy<NT>& p) {
+  const auto x = value_of(p.x), y = value_of(p.y);
+  if (!x || !y) return std::nullopt;
+  return Xy<Mpfr_interval>{*x, *y};
+}
+
+/// Estimated errors of a point's coordinates; 0 of types that estimate none.
+template <class NT> [[nodiscard]] Xy<double> estimated_errors(const Xy<NT>& p) {
+  if constexpr (estimates_errors_v<NT>) return {p.x.estimated_error(), p.y.estimated_error()};
+  else return {0, 0};
+}
+
+}  // namespace study
+
 /// A study of one formula on the pieces of families, in as many number types as are added.
 /// \code
 /// struct Chord_length {
@@ -62,7 +148,8 @@ template <class NT> using Named_figures = std::vector<Named_figure<NT>>;
 /// };
 /// Formula_study<Chord_length> study("chord", Chord_length(), near_linear_family());
 /// study.add<float>("float");
-/// for (const Stability_row& row : study.rows()) std::cout << row.delta << ' ' << row.rel_error << '\n';
+/// study.add<__float128>("quad");
+/// write_csv(std::cout, study.rows());
 /// \endcode
 /// A number type has +, -, *, /, a negative, comparisons, a square root where the formula takes one, and conversions
 /// from int and from double, and to double by static_cast. It may have more digits than double. Enclosures, with
@@ -74,22 +161,37 @@ template <class Formula> class Formula_study {
   /// \param name stands in the rows as the method
   Formula_study(std::string name, Formula formula, std::vector<Study_piece> pieces)
       : name_(std::move(name)), formula_(std::move(formula)), pieces_(std::move(pieces)) {
-    for (const Study_piece& piece : pieces_) exact_.push_back(exact_figures(piece));
+    for (const Study_piece& piece : pieces_) exact_.push_back(study::enclosed_figures(formula_, piece));
   }
 
   /// Measures the formula in a number type.
   /// \param kernel stands in the rows for the type
   template <class NT> void add(const std::string& kernel) {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (exact_[i]) worst_.add(pieces_[i], rows<NT>(pieces_[i], *exact_[i], kernel));
+      if (exact_[i]) worst_.add(pieces_[i], rows_of<NT>(pieces_[i], *exact_[i], kernel));
   }
-  /// The worst row of each family, delta, figure and number type so far; the formula is called "own". A wrong verdict
-  /// has a relative error of 1, and so has a figure that is not finite or not decided. A type that estimates its
-  /// errors, such as Randomly_rounded, has a row with the largest estimate beside each, the quantity followed by ",
-  /// estimated".
+  /// Returns the worst row of each family, delta, figure and number type so far; the formula is called "own". A wrong
+  /// verdict has a relative error of 1, and so has a figure that is not finite or not decided. A type that estimates
+  /// its errors, such as Randomly_rounded, has a row with the largest estimate beside each, the quantity followed by
+  /// ", estimated".
   [[nodiscard]] const std::vector<Stability_row>& rows() const { return worst_.rows(); }
-  /// The number of pieces without rows: a comparison stays open, as of exact numbers that are equal, or a figure is
-  /// not finite.
+  /// Returns rows of this study, or of a hunt, with the condition numbers of their figures, which Figure_conditions
+  /// defines: they tell whether the formula lost the digits or the problem. Verdicts have none.
+  [[nodiscard]] std::vector<Stability_row> with_conditions(std::vector<Stability_row> rows) const {
+    study::add_formula_conditions(formula_, rows);
+    return rows;
+  }
+  /// Starts a search for the piece on which the formula is worst in a number type. It climbs from the worst of some of
+  /// the study's pieces, taken by chance, or of random spirals where the study has none.
+  template <class NT> [[nodiscard]] Worst_case_hunt hunt(const std::string& kernel, unsigned seed) const {
+    const auto measure = [self = Formula_study(name_, formula_, {}), kernel](const Study_piece& piece) {
+      const auto exact = study::enclosed_figures(self.formula_, piece);
+      return exact ? self.template rows_of<NT>(piece, *exact, kernel) : std::vector<Stability_row>();
+    };
+    return Worst_case_hunt(measure, pieces_, seed);
+  }
+  /// Counts the pieces without rows: a comparison stays open, as of exact numbers that are equal, or a figure is not
+  /// finite.
   [[nodiscard]] std::size_t undecided() const {
     std::size_t count = 0;
     for (const auto& figures : exact_) count += figures ? 0u : 1u;
@@ -97,56 +199,22 @@ template <class Formula> class Formula_study {
   }
 
  private:
-  using Exact_figures = Named_figures<Mpfr_interval>;
-
-  [[nodiscard]] std::optional<Exact_figures> exact_figures(const Study_piece& piece) const {
-    study::Enclosed_piece enclosed(piece.spiral, piece.t0, piece.t1);
-    for (mpfr_prec_t bits = study::FIRST_PRECISION; bits <= study::LAST_PRECISION; bits *= 2) {
-      try {
-        const Exact_figures figures = formula_(Formula_piece<Mpfr_interval>{enclosed.curve(bits), enclosed.t0(bits),
-                                                                            enclosed.t1(bits), enclosed.shape(bits)});
-        bool is_narrow = true;
-        for (const auto& f : figures) is_narrow = is_narrow && study::is_narrow_value(f.value);
-        if (is_narrow) return figures;
-      } catch (const CGAL::Uncertain_conversion_exception&) {  // a comparison is open at this precision
-      }
-    }
-    return std::nullopt;
-  }
-
-  template <class NT>
-  [[nodiscard]] std::vector<Stability_row> rows(const Study_piece& piece, const Exact_figures& exact,
-                                                const std::string& kernel) const {
-    const Named_figures<NT> figures = figures_in<NT>(piece);
-    std::vector<Stability_row> rows;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-      Stability_row row{{}, 0, name_, "own", kernel, exact[i].name};
-      const bool is_there = i < figures.size() && figures[i].name == exact[i].name;
-      const study::Deviation d = !is_there             ? study::lost_value(exact[i].value)
-                                 : exact[i].is_verdict ? study::wrong_verdict(figures[i].value.x, exact[i].value.x)
-                                                       : study::deviation_of_value(figures[i].value, exact[i].value);
-      row.rel_error = d.relative;
-      row.abs_error = d.absolute;
-      rows.push_back(row);
-      if constexpr (study::estimates_errors_v<NT>) {
-        if (!is_there) continue;
-        const study::Deviation estimate = study::estimated_deviation(figures[i].value);
-        row.quantity += ", estimated";
-        row.rel_error = estimate.relative;
-        row.abs_error = estimate.absolute;
-        rows.push_back(row);
-      }
-    }
-    return rows;
-  }
-
-  // None where enclosures of the type leave a comparison open.
-  template <class NT> [[nodiscard]] Named_figures<NT> figures_in(const Study_piece& piece) const {
+  template <class Studied>
+  [[nodiscard]] std::vector<Stability_row> rows_of(const Study_piece& piece, const study::Enclosed_figures& exact,
+                                                   const std::string& kernel) const {
+    using NT = typename study::Studied_type<Studied>::Type;
+    std::vector<study::Computed_figure> computed;
     try {
-      return formula_(piece_in<NT>(piece));
-    } catch (const CGAL::Uncertain_conversion_exception&) {
-      return {};
+      for (const Named_figure<NT>& figure : formula_(piece_in<NT>(piece))) {
+        computed.push_back({figure.name, study::value_of(figure.value)});
+        if constexpr (study::estimates_errors_v<NT>) {
+          const Xy<double> errors = study::estimated_errors(figure.value);
+          computed.back().estimated_error = std::hypot(errors.x, errors.y);
+        }
+      }
+    } catch (const CGAL::Uncertain_conversion_exception&) {  // enclosures of the type leave a comparison open
     }
+    return study::formula_rows(computed, exact, {{}, 0, name_, "own", kernel, {}});
   }
   // Control points and parameters rounded to NT, and their differences taken there.
   template <class NT> [[nodiscard]] static Formula_piece<NT> piece_in(const Study_piece& piece) {
@@ -164,7 +232,7 @@ template <class Formula> class Formula_study {
   std::string name_;
   Formula formula_;
   std::vector<Study_piece> pieces_;
-  std::vector<std::optional<Exact_figures>> exact_;
+  std::vector<std::optional<study::Enclosed_figures>> exact_;
   Worst_rows worst_;
 };
 

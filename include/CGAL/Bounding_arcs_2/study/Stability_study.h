@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_STABILITY_STUDY_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_STABILITY_STUDY_H
 
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 
 #include <algorithm>
@@ -15,11 +16,18 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <tuple>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+/// A figure to some 32 digits. Where it is a number, y is 0.
+struct Figure_value {
+  Xy<Double_double> value;
+  bool is_point = false;
+};
 
 /// One measurement, of one piece of a curve. Errors are of the worse of a region's circles or joints. Quantity
 /// "outside" has in abs_error a proven bound of how far the exact curve leaves the region in its place, see
@@ -39,6 +47,9 @@ struct Stability_row {
   std::vector<double> weights = {};             ///< empty for a polynomial curve
   std::optional<double> condition = {};  ///< of the figure, where it was asked for and is known; see figure_conditions
   double t0 = 0, t1 = 1;                 ///< the piece's parameters
+  std::string placement = {};            ///< how the family placed the curve, as Study_piece tells it
+  std::string frame = {};                ///< where positions are measured: in place, or from the piece's start
+  std::optional<Figure_value> computed = {}, exact = {};  ///< of the circle or joint with rel_error; where finite
 };
 
 /// Which rows are measured: those with the named words. An empty list names all; of methods it names bca, sfa and
@@ -84,6 +95,10 @@ struct Figure_conditions {
 [[nodiscard]] std::optional<Figure_conditions> figure_conditions(const Bezier_spiral_2<double>& spiral, double t0,
                                                                  double t1, const std::string& method);
 
+/// Writes rows as CSV, a line of names first. The curve stands in a row as `bounding_arcs stability --curve` reads it;
+/// figures have 32 digits, and points two numbers with a blank between.
+void write_csv(std::ostream& out, const std::vector<Stability_row>& rows);
+
 /// Collects rows. Where several agree in family, delta, method, formula, kernel and quantity it keeps the one with the
 /// largest relative error, the first of equal ones: all that a row tells is of one piece.
 class Worst_rows {
@@ -122,6 +137,7 @@ class Worst_rows {
     row.weights = piece.spiral.curve().weights();
     row.t0 = piece.t0;
     row.t1 = piece.t1;
+    row.placement = piece.placement;
     return row;
   }
 

@@ -9,12 +9,165 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_TEXTBOOK_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_TEXTBOOK_H
 
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/study/Region_figures.h>
-#include <CGAL/Bounding_arcs_2/study/internal/textbook_steps.h>
+#include <CGAL/Bounding_arcs_2/region/Tight_axes.h>
+
+#include <cmath>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
+namespace study {
+
+// For floating types also where the square is out of range.
+template <class NT> [[nodiscard]] NT length(const Xy<NT>& v) {
+  if constexpr (std::is_floating_point_v<NT>) return stable_norm(v);
+  else return square_root(dot(v, v));
+}
+
+}  // namespace study
+
+/// a x + b y + c = 0
+template <class NT> struct Line_figure { NT a, b, c; };
+
+/// A circle of a region; center and radius mean nothing where it is a line.
+template <class NT> struct Circle_figure {
+  Xy<NT> center;
+  NT radius{0};
+  bool is_line = false;
+  Xy<NT> normal = {};  ///< to the curve's left where the circle touches it, of any length
+};
+
+/// Circles, joints and the thickness of a region:
+///   BCA      circles touching at the start and at the end; no joints
+///   SFA      osculating circles at the tight and at the flat end; joints j (inner) and i (outer)
+///   bilens   contact circles at the tight and at the flat end; joints of the inner and of the outer boundary
+/// Where the curvature at the tight end is infinite the inner boundary is one piece, and a joint is missing; for SFA
+/// the first circle is then the chord's line.
+template <class NT> struct Region_figures {
+  std::vector<Circle_figure<NT>> circles;
+  std::vector<Xy<NT>> joints;
+  NT thickness{0};
+  Region_form form = Region_form::BCA;
+  std::vector<Line_figure<NT>> bisectors = {};  ///< the lines that the construction intersects with normals, if any
+};
+
+/// The figures of a region from its boundary.
+/// \pre the boundary has the form of one of the three methods
+template <class NT>
+[[nodiscard]] Region_figures<NT> region_figures(const Region_boundary_2<NT>& b, const NT& thickness, bool tight_first) {
+  const auto at_tight = [&](const Boundary_chain_2<NT>& chain) {
+    return chain[tight_first || chain.size() == 1 ? 0 : 1].support;
+  };
+  const auto at_flat = [&](const Boundary_chain_2<NT>& chain) {
+    return chain[tight_first && chain.size() == 2 ? 1 : 0].support;
+  };
+  std::vector<Contact_circle_2<NT>> circles;
+  if (b.form == Region_form::BCA)
+    circles = {(tight_first ? b.outer : b.inner)[0].support, (tight_first ? b.inner : b.outer)[0].support};
+  else if (b.form == Region_form::SPIRAL_FAT_ARC) circles = {at_tight(b.inner), at_flat(b.outer)};
+  else circles = {at_tight(b.outer), at_flat(b.inner)};
+  Region_figures<NT> figures;
+  figures.form = b.form;
+  figures.thickness = thickness;
+  for (const Contact_circle_2<NT>& c : circles) {
+    if (c.is_line()) figures.circles.push_back({{}, NT(0), true, c.normal});
+    else
+      figures.circles.push_back({c.center(),
+                                 study::length(Xy<NT>{NT(c.normal.x / c.curvature), NT(c.normal.y / c.curvature)}),
+                                 false, c.normal});
+  }
+  for (const Boundary_chain_2<NT>* chain : {&b.inner, &b.outer})
+    if (chain->size() == 2) figures.joints.push_back((*chain)[0].to);
+  return figures;
+}
+
+/// The figures of a construction of this library.
+template <class Construction, class NT>
+[[nodiscard]] Region_figures<NT> region_figures(const Construction& construction, const Chord_frame_2<NT>& frame) {
+  return region_figures(construction.boundary(frame), NT(construction.thickness(frame.shape)), frame.shape.tight_first);
+}
+
+/// The figures that traits give over their kernel.
+template <class Traits>
+[[nodiscard]] Region_figures<typename Traits::FT> region_figures_of_traits(
+    const Traits& traits, const Chord_frame_2<typename Traits::FT>& frame) {
+  const auto region = traits.construct_bounding_region_2_object()(frame);
+  return region_figures(traits.construct_region_boundary_2_object()(region),
+                        traits.compute_thickness_2_object()(region), frame.shape.tight_first);
+}
+
+namespace study {
+
+template <class NT> [[nodiscard]] Line_figure<NT> line_across(const Xy<NT>& point, const Xy<NT>& normal) {
+  return {normal.x, normal.y, NT(-dot(normal, point))};
+}
+
+template <class NT> [[nodiscard]] Line_figure<NT> bisector(const Xy<NT>& p, const Xy<NT>& q) {
+  return line_across(NT(NT(1) / NT(2)) * (p + q), q - p);
+}
+
+template <class NT> [[nodiscard]] Xy<NT> intersection(const Line_figure<NT>& l, const Line_figure<NT>& m) {
+  const NT d = l.a * m.b - m.a * l.b;
+  return {NT((l.b * m.c - m.b * l.c) / d), NT((m.a * l.c - l.a * m.c) / d)};
+}
+
+template <class NT> [[nodiscard]] NT distance(const Xy<NT>& p, const Xy<NT>& q) {
+  const Xy<NT> v = q - p;
+  return square_root(dot(v, v));
+}
+
+template <class NT> [[nodiscard]] Xy<NT> unit_vector(const Xy<NT>& v) {
+  const NT n = square_root(dot(v, v));
+  return {NT(v.x / n), NT(v.y / n)};
+}
+
+/// The ends in the order tight, flat, with T pointing into the segment's direction and n towards the centers.
+template <class NT> struct Textbook_ends {
+  Xy<NT> tight, flat, tight_tangent, flat_tangent, tight_normal, flat_normal;
+  NT tight_radius, flat_radius;
+};
+
+template <class NT> [[nodiscard]] Textbook_ends<NT> textbook_ends(const Chord_frame_2<NT>& frame) {
+  const Chord_shape_2<NT>& f = frame.shape;
+  const Xy<NT> u0 = unit_vector(f.tangent0), u1 = unit_vector(f.tangent1);
+  const auto radius = [&](const NT& curvature, const Xy<NT>& t) {
+    const NT n = square_root(dot(t, t));
+    return NT(f.unit * n * n * n / (NT(2) * absolute(curvature)));
+  };
+  const NT turn = NT(f.turn);
+  const NT r0 = radius(f.curvature0, f.tangent0), r1 = radius(f.curvature1, f.tangent1);
+  if (f.tight_first) return {frame.p0, frame.p1, u0, u1, turn * perp(u0), turn * perp(u1), r0, r1};
+  return {frame.p1, frame.p0, -u1, -u0, turn * perp(u1), turn * perp(u0), r1, r0};
+}
+
+/// The circle about a center through a point, run by a curve that turns left (+1) or right (-1).
+template <class NT>
+[[nodiscard]] Contact_circle_2<NT> circle_about(const Xy<NT>& center, const Xy<NT>& point, int turn) {
+  return {point, NT(turn) * (center - point), NT(turn)};
+}
+
+/// tight end -> joint -> flat end, in the curve's direction.
+template <class NT>
+[[nodiscard]] Boundary_chain_2<NT> chain(const Chord_frame_2<NT>& frame, const Textbook_ends<NT>& e,
+                                         const Xy<NT>& joint, const Contact_circle_2<NT>& at_tight,
+                                         const Contact_circle_2<NT>& at_flat) {
+  Tight_axes<NT> axes;
+  axes.tight = e.tight;
+  axes.flat = e.flat;
+  return chain(frame, axes, joint, at_tight, at_flat);
+}
+
+/// Whether both osculating circles are circles: neither lines nor points, and of different radii.
+template <class NT> [[nodiscard]] bool has_osculating_circles(const Chord_shape_2<NT>& f) {
+  return f.proper && !f.infinite0 && !f.infinite1 && f.curvature0 != NT(0) && f.curvature1 != NT(0);
+}
+
+}  // namespace study
 
 /// Section 3.1: normals and the chord's bisector intersected.  Straight pieces are left to Bca.
 struct Textbook_bca {

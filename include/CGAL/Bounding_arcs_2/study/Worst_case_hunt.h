@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <random>
 #include <vector>
@@ -25,6 +26,7 @@ namespace CGAL::Bounding_arcs {
 /// while (hunt.steps() < 1000) hunt.step();
 /// const double found = hunt.worst().rows().front().rel_error;
 /// \endcode
+/// A formula of one's own is hunted by Formula_study::hunt.
 /// \guarantee each row found is of a piece of one spiral segment, measured as by stability_rows
 class Worst_case_hunt {
  public:
@@ -33,6 +35,11 @@ class Worst_case_hunt {
   /// \param choice the figures that are hunted; empty lists name all of them but normals and bisectors
   /// \pre has_figures(choice)
   Worst_case_hunt(const Stability_choice& choice, unsigned seed);
+  /// Measures a piece in a way of one's own. The largest relative error of its rows is what a climb increases; rows of
+  /// estimates do not count.
+  using Measure = std::function<std::vector<Stability_row>(const Study_piece&)>;
+  /// \param starts pieces that climbs start from, taken by chance; random spirals where there are none
+  Worst_case_hunt(Measure measure, std::vector<Study_piece> starts, unsigned seed);
 
   /// Measures one more piece.
   void step();
@@ -48,13 +55,15 @@ class Worst_case_hunt {
   };
 
   void start_climb();
+  [[nodiscard]] Study_piece start();
   [[nodiscard]] std::optional<Place> measured(Study_piece piece);
   [[nodiscard]] std::optional<Study_piece> neighbour(const Study_piece& piece);
   [[nodiscard]] double moved(double x);
 
-  std::vector<Stability_choice> figures_;  // one row each
-  std::size_t figure_ = 0;                 // the current one
+  std::vector<Measure> figures_;
+  std::size_t figure_ = 0;  // the current one
   std::mt19937 random_;
+  std::vector<Study_piece> own_starts_;
   Random_spirals spirals_;
   std::optional<Place> place_;
   std::size_t steps_ = 0, starts_ = 0, since_gain_ = 0;
