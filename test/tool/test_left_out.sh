@@ -39,7 +39,7 @@ for command in 'build --method bca --eps 1' 'compare --eps 1 --repeat 1' 'compar
   run $command part.dxf --strict -o out
   expect_status 1
   expect_silence
-  expect_line "${left/left/--strict: expected a file that is read whole, found one that is not: left}"
+  expect_line "${left/left/--strict: expected a file that is read as it stands, found one that is not: left}"
   [ ! -e out ] || fail "$command_line: wrote a file"
   # shellcheck disable=SC2086
   run $command clean.dxf --strict
@@ -295,10 +295,23 @@ dxf "$rectangle" > loose.dxf
 joined='joined: 4 open curves to 1 closed one'
 for command in "${needing_inside[@]}" "${needing_none[@]}"; do
   # shellcheck disable=SC2086
-  run $command loose.dxf --strict  # all is read
+  run $command loose.dxf
+  expect_status 0
+  lines "$joined"
+  # shellcheck disable=SC2086
+  run $command loose.dxf --strict
+  expect_status 1
+  lines "--strict: expected a file that is read as it stands, found one that is not: $joined"
+  # shellcheck disable=SC2086
+  run $command loose.dxf --strict --join-ends 0  # as it was asked for
   expect_status 0
   lines "$joined"
 done
+run info loose.dxf --strict
+expect_status 1
+expect_silence
+run info loose.dxf --strict --join-ends 0
+expect_status 0
 inside '"area":32,' offset loose.dxf --distance=-1 --eps 0.01
 inside 'offset by' report --stability none --eps 1 --offset 1 loose.dxf
 lines "$joined"
@@ -311,9 +324,11 @@ for command in "${needing_inside[@]}"; do
   expect_status 1
   lines "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $at_four"
 done
-run offset loose.dxf --distance 1 --eps 0.01 --join-ends none --strict
+run offset loose.dxf --distance 1 --eps 0.01 --join-ends none
 expect_status 0
 lines "$at_four"
+run offset loose.dxf --distance 1 --eps 0.01 --join-ends none --strict
+expect_status 1
 run arcs loose.dxf --eps 1 --join-ends none
 lines_of_json='{"curves":[{"type":"bezier","degree":1,"control_points":[[0,0],[9,0]]},
 {"type":"bezier","degree":1,"control_points":[[9,0],[0,9]]},
@@ -347,8 +362,19 @@ lines "$joined"
 dxf "$rectangle$(segment 0 0 10 6)" > loose.dxf
 run offset loose.dxf --distance 1 --eps 0.01
 expect_status 0
-lines 'joined: 4 open curves to 2 open ones' '3 open curves, whose ends are three or more at 2 places such as (0, 0), '\
-'the first from (0, 0) to (10, 6): they are not joined'
+ambiguous='ambiguous: more than two ends meet at 2 places, the first (0, 0), and are not joined'
+lines 'joined: 4 open curves to 2 open ones' "$ambiguous"
+run offset loose.dxf --distance 1 --eps 0.01 --strict --join-ends 0
+expect_status 1
+lines 'joined: 4 open curves to 2 open ones' \
+  "--strict: expected a file that is read as it stands, found one that is not: $ambiguous"
+run info loose.dxf
+grep -qx "$ambiguous" "$results/out" || fail "$command_line: does not tell: $ambiguous"
+# but two that go on straight are joined
+dxf "$(segment 0 0 4 0; segment 4 0 4 3; segment 4 0 9 0)" > loose.dxf
+run offset loose.dxf --distance 1 --eps 0.01
+expect_status 0
+lines 'joined: 2 open curves to 1 open one'
 
 # What stays open is left out where it is asked for, by all alike, and that is no fault.
 dxf "$rectangle$(square a 20 30)$apart" > loose.dxf  # the last one meets no other
@@ -361,7 +387,7 @@ for command in "${needing_inside[@]}"; do
 done
 for command in "${needing_inside[@]}" "${needing_none[@]}"; do
   # shellcheck disable=SC2086
-  [[ $command = clip* ]] || run $command loose.dxf --skip-open --strict
+  [[ $command = clip* ]] || run $command loose.dxf --skip-open --strict --join-ends 0
   expect_status 0
   lines "$joined" "$open"
 done

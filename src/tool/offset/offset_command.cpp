@@ -253,9 +253,9 @@ Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_inp
 }
 
 // Ends that meet are those of an outline, as a rule, which is not what is offset.
-void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing) {
+void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing, const Reading_words& words) {
   const Loose_ends ends = loose_ends(drawing);
-  if (ends.meet()) tell(file, ends.text());
+  if (ends.gaps > 0) tell_change(file, ends.text(), words);
 }
 
 ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<double>& drawing, double eps,
@@ -362,7 +362,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
 
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
-  tell_loose_ends(loaded.file, loaded.curves->drawing());
+  tell_loose_ends(loaded.file, loaded.curves->drawing(), words.reading);
   const std::vector<ba::Offset> offsets = offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, false);
   for (const ba::Offset& offset : offsets) {
     outlines.push_back({offset.distance, {}});
@@ -390,7 +390,7 @@ int run_offset(const Offset_words& words) {
   }
   const Offset_input input = offset_input(words);
   const ba::Drawing_2<double>& drawing = input.drawing;
-  tell_loose_ends(input.file, drawing);
+  tell_loose_ends(input.file, drawing, words.reading);
   if (words.format == "dxf") tell_units_of_dxf({input.file, input.unit_in_mm});
   const Gcode_setup setup =
       is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
