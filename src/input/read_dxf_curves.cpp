@@ -106,6 +106,7 @@ class Dxf_expansion {
       if (reason.empty()) reason = entity.reason;
       if (reason.empty() && entity.kind == "INSERT") reason = insert(entity, here);
       if (reason.empty()) reason = add(entity, here);
+      if (!is_told(layer)) continue;
       if (!reason.empty()) notes_.add(entity, reason);
       else if (!entity.fault.empty()) notes_.add(entity, entity.fault, true);
     }
@@ -130,6 +131,11 @@ class Dxf_expansion {
       throw Input_error(
           file_, entity.noun() + " " + std::to_string(entity.number),
           "expected at most " + std::to_string(MAXIMUM_ENTITIES) + " entities and pieces, found more than that");
+  }
+
+  [[nodiscard]] bool is_told(const std::string& layer) const {
+    const auto is_it = [&](const std::string& asked) { return dxf_key(asked) == dxf_key(layer); };
+    return options_.layers.empty() || std::any_of(options_.layers.begin(), options_.layers.end(), is_it);
   }
 
   // What a layer that is off has in blocks on other layers is seen; one that is frozen hides that, too.
@@ -216,6 +222,7 @@ class Dxf_expansion {
       if (!is_left_out[i]) read.insert(hatch);
     }
     for (const auto& [i, hatch] : outlines_) {
+      if (!is_told(layers_[i].empty() ? "0" : layers_[i])) continue;
       if (read.count(hatch) > 0) notes_.add(*hatch, "by its outline, which no other curves draw", true);
       else notes_.add(*hatch, "its outline is drawn by other curves");
     }

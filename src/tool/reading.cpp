@@ -118,6 +118,7 @@ void tell_joined(const std::string& file, const Read_file& read, const Reading_w
 
 ba::Reading_options reading_options(const Reading_words& words) {
   ba::Reading_options options = words.options;
+  if (!words.layers.empty()) options.layers = words_between_commas(words.layers);
   if (!words.rule.empty()) options.rule = fill_rule(words.rule, ba::Fill_rule::NONZERO);
   return options;
 }

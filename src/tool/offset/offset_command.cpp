@@ -111,8 +111,8 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
 }
 
 void write_json(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::Drawing_2<double>& drawing,
-                double eps) {
-  out << "{\"eps\":" << number(eps) << ",\"offsets\":[";
+                double eps, const std::string& members = "") {
+  out << "{\"eps\":" << number(eps) << ',' << members << "\"offsets\":[";
   const char* between_offsets = "\n";
   for (const ba::Offset& offset : offsets) {
     out << between_offsets << "{\"distance\":" << number(offset.distance) << ",\"error\":" << number(offset.error)
@@ -396,7 +396,7 @@ int run_offset(const Offset_words& words) {
       is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
   const std::vector<ba::Offset> offsets = offsets_of(words, input.file, drawing, input.rule, false);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
+  if (words.format == "json") write_json(output.stream(), offsets, drawing, eps, json_members(input.unit_in_mm, !input.flips));
   else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));
   else if (words.is_plain) write_plain_svg(output.stream(), written(offsets, input));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);
