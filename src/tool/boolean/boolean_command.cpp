@@ -103,8 +103,9 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
     const ba::Outline_chain& chain = made.drawn.outline.chains[i];
     const auto& curve = made.drawn.drawing.curves()[i];
     const ba::Outline_part& first = chain.parts.front();
-    out << between_chains << "{\"name\":" << json_string(curve.name) << ','
-        << json_members(made.operands[first.operand]->look_of(first.curve)) << "\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
+    const Query_drawing& drawn = *made.operands[first.operand];
+    out << between_chains << "{\"name\":" << json_string(drawn.curves->drawing().curves()[first.curve].name) << ','
+        << json_members(drawn.look_of(first.curve)) << "\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
     if (chain.parent) out << *chain.parent;
     else out << "null";
     out << ',';

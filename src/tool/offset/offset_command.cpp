@@ -252,10 +252,14 @@ Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_inp
   return drawing;
 }
 
-// Ends that meet are those of an outline, as a rule, which is not what is offset.
+// Ends that meet are those of an outline, as a rule, which is not what is offset; an open curve among closed ones may be
+// a note.
 void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing, const Reading_words& words) {
   const Loose_ends ends = loose_ends(drawing);
   if (ends.gaps > 0) tell_change(file, ends.text(), words);
+  else if (ends.open > 0 && ends.open < drawing.curves().size())
+    tell_change(file, "taken for open: " + ends.text() + "; --skip-open leaves " + (ends.open == 1 ? "it" : "them") +
+                          " out", words);
 }
 
 ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<double>& drawing, double eps,

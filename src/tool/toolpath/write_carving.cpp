@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <string>
@@ -58,17 +59,24 @@ namespace {
 
 constexpr int SHADES = 25;  // of depths
 
-// Each run of pieces whose depths have one shade as a path.
+// Each run of places whose depths have one shade as a path; segments that go down are cut where it changes.
 void draw_pass(std::ostream& out, const Tool_pass& pass, const View& view, double deepest) {
+  const double shades = deepest > 0 ? SHADES / deepest : 0;
   int last = -1;
   for (std::size_t i = 0; i < pass.pieces.size(); ++i) {
-    const double depth = -(pass.height_at(i) + pass.height_at(i + 1)) / 2;
-    const int shade = deepest > 0 ? (std::min)(static_cast<int>(SHADES * depth / deepest), SHADES - 1) : 0;
-    if (shade != last)
-      out << (last < 0 ? "" : "\"/>\n") << "<path class=\"w\" stroke=\"" << colour_of_share((shade + 0.5) / SHADES)
-          << "\" d=\"M" << view(pass.pieces[i].from);
-    out << step(view, pass.pieces[i], true);
-    last = shade;
+    const Arc_2& piece = pass.pieces[i];
+    const double from = -shades * pass.height_at(i), to = -shades * pass.height_at(i + 1);
+    const int parts = 1 + static_cast<int>(std::fabs(to - from));
+    for (int k = 0; k < parts; ++k) {
+      const auto at = [&](int n) { return piece.from + n / double(parts) * (piece.to - piece.from); };
+      const Arc_2 part = parts == 1 ? piece : Arc_2{at(k), at(k + 1), 0};
+      const int shade = (std::min)(static_cast<int>(from + (k + 0.5) / parts * (to - from)), SHADES - 1);
+      if (shade != last)
+        out << (last < 0 ? "" : "\"/>\n") << "<path class=\"w\" stroke=\"" << colour_of_share((shade + 0.5) / SHADES)
+            << "\" d=\"M" << view(part.from);
+      out << step(view, part, true);
+      last = shade;
+    }
   }
   out << "\"/>\n";
 }
