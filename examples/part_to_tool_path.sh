@@ -12,13 +12,13 @@ cp "$(dirname "${BASH_SOURCE[0]}")"/data/mount/*.dxf "$2"
 cd "$2"
 bounding_arcs() { "$tool" "$@"; }
 
-# Shows each command on standard input and runs it. A line that ends by | goes on in the next one.
+# Shows each command on standard input and runs it. A line that ends by | or \ goes on in the next one.
 follow() {
   local line command='' prompt='$ '
   while IFS= read -r line; do
     echo "$prompt$line"
     command+=$line$'\n' prompt=''
-    [[ $line != *'|' ]] || continue
+    [[ $line != *['|\\'] ]] || continue
     eval "$command" 2>&1 < /dev/null
     command='' prompt='$ '
   done
@@ -39,7 +39,8 @@ bounding_arcs offset part.dxf --distance -4,-6,-8,-10,-12,-14,-16,-18,-20 --eps 
 bounding_arcs offset part.dxf --distance -4,-6,-8,-10,-12,-14,-16,-18,-20 --eps 0.01 -o pocket.svg
 sed -En 's/^.offset (.*).$/\1/p' pocket.nc | paste -sd' '
 bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --feed 300 -o carving.nc
-bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 1.5 --feed 300 -o flat.nc
+bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 1.5 \
+  --feed 300 -o flat.nc
 bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 1.5 -o carving.svg
 head -9 carving.nc
 END

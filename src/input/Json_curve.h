@@ -30,7 +30,7 @@ enum class Json_role {
   NAME,
   LAYER,
   COLOUR,
-  UNIT,       ///< of the document, and so is the next one
+  UNIT,  ///< of the document, and so is the next one
   Y_IS_DOWN,
   DEGREE,
   CLOSED,

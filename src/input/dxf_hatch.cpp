@@ -2,9 +2,10 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outlines are behind their count (group 91) and in front of the style (75). Each begins with its flags (92). A polyline
-// has vertices (10, 20) with bulges (42). Otherwise there are edges, each begun by its kind (72): a line (10, 20 to 11,
-// 21), an arc or part of an ellipse, or a spline with groups much as a SPLINE has them. Sources (97, 330) are behind.
+// Outlines are behind their count (group 91) and in front of the style (75). Each begins with its flags (92). A
+// polyline has vertices (10, 20) with bulges (42). Otherwise there are edges, each begun by its kind (72): a line (10,
+// 20 to 11, 21), an arc or part of an ellipse, or a spline with groups much as a SPLINE has them. Sources (97, 330) are
+// behind.
 
 #include "dxf_hatch.h"
 

@@ -114,7 +114,7 @@ class Dxf_expansion {
   Curve_file result() && {
     leave_out_known_outlines();
     for (std::size_t i = 0; i < records_.size(); ++i)
-      if (numbers_[layers_[i]] > 1 && !layers_[i].empty())
+      if (numbers_[layers_[i]] > 1 && !layers_[i].empty() && records_[i].name == valid_utf8(layers_[i]))
         records_[i].name += "." + std::to_string(++named_[layers_[i]]);
     if (!contents_.has_end) notes_.notes.push_back({1, "file", "no EOF at its end", true});
     if (records_.empty())
@@ -229,7 +229,7 @@ class Dxf_expansion {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (is_left_out[i]) {
-        --numbers_[layers_[i]];
+        if (records_[i].name == valid_utf8(layers_[i])) --numbers_[layers_[i]];
         continue;
       }
       if (kept != i) records_[kept] = std::move(records_[i]), layers_[kept] = std::move(layers_[i]);
@@ -249,7 +249,8 @@ class Dxf_expansion {
       record.layer = valid_utf8(layer);
       record.colour = here.colour;
       record.name = is_named ? valid_utf8(layer) : entity.noun() + std::to_string(entity.number);
-      if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
+      if (!entity.name.empty()) record.name = valid_utf8(entity.name);
+      else if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
       try {
         record.beziers = transformed(entity.curves[i], here.transform);
       } catch (const std::invalid_argument& error) {
@@ -260,7 +261,7 @@ class Dxf_expansion {
       for (const auto& bezier : record.beziers) record.degree = std::max(record.degree, bezier.degree());
       count(entity, record.beziers.size());
       layers_.push_back(is_named ? layer : "");
-      ++numbers_[layers_.back()];
+      if (entity.name.empty()) ++numbers_[layers_.back()];
       if (entity.kind == "HATCH") outlines_.emplace_back(records_.size(), &entity);
       records_.push_back(std::move(record));
     }

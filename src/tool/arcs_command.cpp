@@ -39,8 +39,8 @@ struct Fitted_curve {
   std::vector<std::size_t> beziers;  // of each spiral
   ba::Arc_chain chain;
   std::vector<std::size_t> last_beziers;  // of each arc, the one where it ends
-  double least = 0;                    // N*: what no chain of this kind can go below as eps goes to 0
-  double least_ms = 0, median_ms = 0;  // of fitting
+  double least = 0;                       // N*: what no chain of this kind can go below as eps goes to 0
+  double least_ms = 0, median_ms = 0;     // of fitting
 };
 
 // Twice the area of the curve closed by its chord, by its control polygon: positive if it runs counterclockwise.
@@ -86,7 +86,8 @@ void join_arcs(Fitted_curve& curve, double eps) {
         ba::Chain_arc_2 whole = arcs.back();
         static_cast<Arc_2&>(whole) = *both;
         whole.t1 = arc.t1;
-        whole.error = (std::max)(whole.error, arc.error) + MOVE * std::hypot(both->to.x - both->from.x, both->to.y - both->from.y);
+        whole.error = (std::max)(whole.error, arc.error) +
+                      MOVE * std::hypot(both->to.x - both->from.x, both->to.y - both->from.y);
         if (whole.error <= eps) {
           arcs.back() = whole;
           curve.last_beziers.back() = curve.beziers[arc.spiral];

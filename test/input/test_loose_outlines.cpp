@@ -65,8 +65,8 @@ class Generator {
       case 2:
         return Piece({p, middle - rise * across + number(-0.1, 0.1) * (q - p), q}, {1, number(0.4, 0.95), 1});
       default:
-        return Piece({p, p + number(0.2, 0.4) * (q - p) - rise * across, q - number(0.2, 0.4) * (q - p) - rise * across,
-                      q});
+        return Piece(
+            {p, p + number(0.2, 0.4) * (q - p) - rise * across, q - number(0.2, 0.4) * (q - p) - rise * across, q});
     }
   }
   Shape shape(const Point& center) {
@@ -165,8 +165,7 @@ class Generator {
   }
   Piece moved(const Piece& piece, double most) {
     std::vector<Point> points = piece.control_points();
-    for (Point* end : {&points.front(), &points.back()})
-      *end = *end + number(0, most) * unit(number(0, 2 * PI));
+    for (Point* end : {&points.front(), &points.back()}) *end = *end + number(0, most) * unit(number(0, 2 * PI));
     return Piece(std::move(points), piece.weights());
   }
 
@@ -174,8 +173,7 @@ class Generator {
 };
 
 // Places of a curve that are far from the distance at which they are said to be.
-template <class Places>
-void expect_at_distance(const Bounding_arc_tree_2& tree, const Places& places, double allowed) {
+template <class Places> void expect_at_distance(const Bounding_arc_tree_2& tree, const Places& places, double allowed) {
   for (const auto& [place, wanted] : places) {
     const double found = closest_point(tree, place)->distance.upper;
     ASSERT_NEAR(found, wanted, allowed) << "at (" << place.x << ", " << place.y << ")";

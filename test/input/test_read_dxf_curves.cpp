@@ -74,20 +74,23 @@ TEST(ReadDxf, ReadsOutlinesOfHatchesThatNothingElseDraws) {
     EXPECT_TRUE(file.curves.front().closed);
     EXPECT_LT(std::fabs(file.curves.front().beziers.front().point(0).y - (is_ccw ? at : -at)), 1e-5);
   }
-  const std::string spline = "72|4|94|1|73|0|74|0|95|5|96|3|40|0|40|0|40|1|40|2|40|2|10|0|20|0|10|3|20|4|10|3|20|0|97|0|";
+  const std::string spline =
+      "72|4|94|1|73|0|74|0|95|5|96|3|40|0|40|0|40|1|40|2|40|2|10|0|20|0|10|3|20|4|10|3|20|0|97|0|";
   expect_length(12, hatch("92|1|93|2|72|1|10|0|20|0|11|3|21|0|" + spline + "97|0|"), OUTLINE_READ);
   expect_length(2 * PI, hatch("92|1|93|1|72|2|10|9|20|0|40|1|50|0|51|360|73|1|97|0|"), OUTLINE_READ);
 }
 
 TEST(ReadDxf, LeavesOutlinesOfHatchesOutThatOtherCurvesDraw) {
   const std::string around = "92|2|72|0|73|1|93|4|10|0|20|0|10|4|20|0|10|4|20|3|10|0|20|3|97|0|";
-  const std::string lines = "0|LINE|8|1|10|-1|20|0|11|9|21|0|0|LWPOLYLINE|8|2|90|4|70|0|10|4|20|0.000002|10|4|20|3|10|0|"
-                            "20|3|10|0|20|-1|";
+  const std::string lines =
+      "0|LINE|8|1|10|-1|20|0|11|9|21|0|0|LWPOLYLINE|8|2|90|4|70|0|10|4|20|0.000002|10|4|20|3|10|0|"
+      "20|3|10|0|20|-1|";
   const std::string drawn = "1 HATCH: its outline is drawn by other curves";
   expect_length(10 + 3 + 4 + 4, lines + hatch(around), "left out: " + drawn);
   expect_length(10 + 3 + 4 + 4, hatch(around) + lines, "left out: " + drawn);
   // a circle in two halves, where the file draws a circle
-  expect_length(2 * PI, "0|CIRCLE|8|0|10|1|20|0|40|1|" + hatch("92|2|72|1|73|1|93|2|10|0|20|0|42|1|10|2|20|0|42|1|97|0|"),
+  expect_length(2 * PI,
+                "0|CIRCLE|8|0|10|1|20|0|40|1|" + hatch("92|2|72|1|73|1|93|2|10|0|20|0|42|1|10|2|20|0|42|1|97|0|"),
                 "left out: " + drawn);
   // one of two outlines; twice the same; around a text
   const std::string other = "92|2|72|0|73|1|93|3|10|20|20|0|10|24|20|0|10|24|20|3|97|0|";

@@ -151,8 +151,8 @@ TEST(ReadJson, KeepsUnitLayersAndColours) {
     EXPECT_THROW((void)read("{" + wrong + "\"curves\":[]}"), CGAL::Bounding_arcs::Input_error) << wrong;
     EXPECT_THROW((void)read("{" + wrong + line + "}"), CGAL::Bounding_arcs::Input_error) << wrong;
   }
-  for (const std::string wrong : {"\"layer\":1,", "\"colour\":0,", "\"colour\":256,", "\"colour\":\"red\",",
-                                  "\"colour\":\"#12345g\","})
+  for (const std::string wrong :
+       {"\"layer\":1,", "\"colour\":0,", "\"colour\":256,", "\"colour\":\"red\",", "\"colour\":\"#12345g\","})
     EXPECT_THROW((void)read("{" + wrong + line + "}"), CGAL::Bounding_arcs::Input_error) << wrong;
 }
 

@@ -45,6 +45,9 @@ same "$(plain_facts offset.svg)" "$(plain_facts arcs.svg)"
 same "$(facts offset.svg)" "$(facts arcs.svg)"  # y, too: mirrored twice
 grep -qE '<svg [^>]*width="[0-9.]+mm"' arcs.svg || fail "$command_line: no mm"
 grep -qF 'inkscape:label="offset_1"' arcs.svg || fail "$command_line: another layer"
+names() { run info "$1" --format csv && tail -n +2 "$results/out" | cut -d, -f2 | sort | paste -sd' '; }
+same 'disc leaf plate slot' "$(names offset.dxf)"
+same 'disc leaf plate slot' "$(names arcs.svg)"
 # Here colours are those of the sources; 1 mm around the plate is from 4 to 46.
 same '#0000ff #ff0000' "$(grep -oE 'stroke="#[0-9a-f]*"' arcs.svg | grep -oE '#[0-9a-f]+' | sort -u | paste -sd' ')"
 plain_facts arcs.svg | grep -q '^offset_1 .* 4.00 46.00$' || fail "$command_line: $(plain_facts arcs.svg)"
@@ -58,6 +61,7 @@ same "$(grep -oE '(id|stroke)="[^"]*"' union.svg | sort)" "$(grep -oE '(id|strok
 "$tool" clip in.svg in.svg --keep on | "$tool" arcs - --eps 0.001 --units mm -o clip.dxf 2> "$results/err" ||
   fail 'clip ends with an error'
 same "$(plain_facts in.svg)" "$(plain_facts clip.dxf)"
+same 'disc leaf plate slot' "$(names clip.dxf)"
 run boolean union offset.dxf -o again.json
 run offset again.json --distance 1 --eps 0.001
 grep -q '"unit_in_mm":1,' "$results/out" || fail "$command_line: the unit is lost"

@@ -105,7 +105,8 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
     const ba::Outline_part& first = chain.parts.front();
     const Query_drawing& drawn = *made.operands[first.operand];
     out << between_chains << "{\"name\":" << json_string(drawn.curves->drawing().curves()[first.curve].name) << ','
-        << json_members(drawn.look_of(first.curve)) << "\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
+        << json_members(drawn.look_of(first.curve)) << "\"type\":\"path\",\"closed\":true,\"orientation\":\""
+        << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
     if (chain.parent) out << *chain.parent;
     else out << "null";
     out << ',';

@@ -101,7 +101,8 @@ void write_json(std::ostream& out, const Clipped& made, const std::string& side)
     const auto& curve = made.curves.curves->drawing().curves()[path.parts.front().curve];
     const bool is_closed = path.parts.front().start == path.parts.back().end;
     out << between_paths << "{\"name\":" << json_string(curve.name) << ','
-        << json_members(made.curves.look_of(path.parts.front().curve)) << "\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",";
+        << json_members(made.curves.look_of(path.parts.front().curve))
+        << "\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",";
     write_pieces(out, path.parts.size(), [&](std::size_t i) {
       Json piece = piece_json(path.pieces[i]);
       piece["source"] = source_json(path.parts[i], path.parts[i].curve, curve.name);

@@ -6,8 +6,8 @@
 
 #include "write_thickness.h"
 
-#include "../number_text.h"
 #include "../colour_scale.h"
+#include "../number_text.h"
 #include "../svg_paths.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
@@ -105,8 +105,9 @@ void draw_scale(std::ostream& out, const Found_thickness& found, const Sheet& sh
   scale.draw(out, 2 * largest, found.has_limit() ? "thickness, red where it is below the limit" : "thickness");
   if (!found.has_limit() || found.below > 2 * largest) return;
   char text[200];
-  std::snprintf(text, sizeof text, "<path class=\"l\" d=\"M%.4f %.4fv%g\"/>\n", scale.place(found.below / (2 * largest)),
-                scale.top() - Colour_scale::HEIGHT / 2, 2 * Colour_scale::HEIGHT);
+  std::snprintf(text, sizeof text, "<path class=\"l\" d=\"M%.4f %.4fv%g\"/>\n",
+                scale.place(found.below / (2 * largest)), scale.top() - Colour_scale::HEIGHT / 2,
+                2 * Colour_scale::HEIGHT);
   out << text;
 }
 
@@ -128,7 +129,8 @@ void draw_thickness(std::ostream& out, const Found_thickness& found) {
                 ".u{fill:none;stroke:#d55e00;stroke-width:2}.l{stroke:#d00000;stroke-width:3}\n"
                 "text{font-family:sans-serif;font-size:20px;fill:#333}%s</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<text x=\"%.0f\" y=\"36\">%s</text>\n",
-                sheet.width, height, sheet.width, height, title.c_str(), Colour_scale::STYLE, Sheet::MARGIN, title.c_str());
+                sheet.width, height, sheet.width, height, title.c_str(), Colour_scale::STYLE, Sheet::MARGIN,
+                title.c_str());
   out << text;
   draw_discs(out, found, sheet.view, largest);
   draw_curves(out, found, sheet.view);

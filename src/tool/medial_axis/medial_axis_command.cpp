@@ -300,7 +300,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 -o carving.json\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 -o carving.svg\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 --feed 600 -o carving.nc\n"
-      "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 2 --feed 600 -o flat.nc\n"
+      "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 2 --feed 600 -o "
+      "flat.nc\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
 }
@@ -343,8 +344,7 @@ void check_carving(const Medial_axis_words& words, bool is_carving) {
   if (words.max_depth > 0 && words.v_bit == 0) throw Usage_error("--max-depth", "--v-bit beside it", "none");
   if (words.max_depth > 0 && !is_carving)
     throw Usage_error("--format", "dxf, csv, svg or gcode with --max-depth", words.format);
-  if (words.flat_tool > 0 && words.max_depth == 0)
-    throw Usage_error("--flat-tool", "--max-depth beside it", "none");
+  if (words.flat_tool > 0 && words.max_depth == 0) throw Usage_error("--flat-tool", "--max-depth beside it", "none");
   if (words.max_depth > 0 && words.is_framed) throw Usage_error("--max-depth", "no frame beside it", "--frame");
   if (is_carving && words.with_conics) throw Usage_error("--conics", "no path of a tool beside it", words.format);
   if (words.format != "gcode") return;
@@ -378,8 +378,8 @@ int run_carving(const Medial_axis_words& words) {
   const Found_axis axis = shown_axis_of(loaded, finer);
   const V_carving carving = v_carving(*loaded.curves, axis.axis, bit, words.flat_tool, loaded.file);
   if (words.flat_tool > 0 && carving.flats.empty())
-    throw Input_error(loaded.file, "--flat-tool", "expected a diameter that has room in what is flat, found " +
-                                                      number(words.flat_tool));
+    throw Input_error(loaded.file, "--flat-tool",
+                      "expected a diameter that has room in what is flat, found " + number(words.flat_tool));
   Output_file output(words.output);
   write_carving(words, output.stream(), carving, loaded);
   output.commit();

@@ -252,14 +252,15 @@ Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_inp
   return drawing;
 }
 
-// Ends that meet are those of an outline, as a rule, which is not what is offset; an open curve among closed ones may be
-// a note.
+// Ends that meet are those of an outline, as a rule, which is not what is offset; an open curve among closed ones may
+// be a note.
 void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing, const Reading_words& words) {
   const Loose_ends ends = loose_ends(drawing);
   if (ends.gaps > 0) tell_change(file, ends.text(), words);
   else if (ends.open > 0 && ends.open < drawing.curves().size())
-    tell_change(file, "taken for open: " + ends.text() + "; --skip-open leaves " + (ends.open == 1 ? "it" : "them") +
-                          " out", words);
+    tell_change(file,
+                "taken for open: " + ends.text() + "; --skip-open leaves " + (ends.open == 1 ? "it" : "them") + " out",
+                words);
 }
 
 ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<double>& drawing, double eps,
@@ -400,7 +401,8 @@ int run_offset(const Offset_words& words) {
       is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
   const std::vector<ba::Offset> offsets = offsets_of(words, input.file, drawing, input.rule, false);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), offsets, drawing, eps, json_members(input.unit_in_mm, !input.flips));
+  if (words.format == "json")
+    write_json(output.stream(), offsets, drawing, eps, json_members(input.unit_in_mm, !input.flips));
   else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));
   else if (words.is_plain) write_plain_svg(output.stream(), written(offsets, input));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);

@@ -18,7 +18,8 @@
 
 namespace bounding_arcs_tool {
 
-/// A line a vertex: the number of its path, carve, pocket or flat, x, y, z, and the bulge of the piece that starts there.
+/// A line a vertex: the number of its path, carve, pocket or flat, x, y, z, and the bulge of the piece that starts
+/// there.
 void write_carving_csv(std::ostream& out, const V_carving& carving);
 
 /// Branches with heights on the layer carve, red, pockets at their depth on the layer pocket, blue, and

@@ -65,7 +65,8 @@ std::string json_members(const Curve_look& look) {
 }
 
 std::string json_members(double unit_in_mm, bool y_is_down) {
-  return (unit_in_mm > 0 ? "\"unit_in_mm\":" + number(unit_in_mm) + "," : "") + (y_is_down ? "\"y_is_down\":true," : "");
+  return (unit_in_mm > 0 ? "\"unit_in_mm\":" + number(unit_in_mm) + "," : "") +
+         (y_is_down ? "\"y_is_down\":true," : "");
 }
 
 ba::Xy<double> start_of(const Written_piece& piece) {

@@ -44,7 +44,8 @@ struct Written_curve {
   double height = 0;                 ///< z of all pieces, where `heights` has none
   std::vector<double> heights = {};  ///< z of each vertex of segments that follow each other: one more than pieces
 };
-/// The arc that two arcs are, the second behind the first: none where they are of two circles, or more than half of one.
+/// The arc that two arcs are, the second behind the first: none where they are of two circles, or more than half of
+/// one.
 /// \guarantee the way moves by at most 2^-44 of the arc's chord
 [[nodiscard]] std::optional<CGAL::Bounding_arcs::Arc_2> arc_of_both(const CGAL::Bounding_arcs::Arc_2& a,
                                                                     const CGAL::Bounding_arcs::Arc_2& b);

@@ -57,7 +57,9 @@ class Path_data {
   [[nodiscard]] std::string point(const Xy<double>& p) const {
     return shown(0 + p.x) + " " + shown(y_is_down_ ? 0 + p.y : 0 - p.y);  // no -0
   }
-  [[nodiscard]] std::string shown(double x) const { return number(steps_ > 0 ? std::round(x * steps_) / steps_ + 0 : x); }
+  [[nodiscard]] std::string shown(double x) const {
+    return number(steps_ > 0 ? std::round(x * steps_) / steps_ + 0 : x);
+  }
 
   void add(const Arc_2& arc) {
     // A flatter arc is the parabola with its tangents within 1e-18 of its chord, and is drawn well by viewers that
@@ -193,8 +195,8 @@ std::string curve_path(const View& view, const Bezier& curve) {
   if (!is_of_svg(pieces.front())) {
     pieces.clear();
     for (int i = 0; i < SAMPLES; ++i)
-      pieces.emplace_back(Arc_2{view.place(curve.point(i / double(SAMPLES))),
-                                view.place(curve.point((i + 1) / double(SAMPLES))), 0});
+      pieces.emplace_back(
+          Arc_2{view.place(curve.point(i / double(SAMPLES))), view.place(curve.point((i + 1) / double(SAMPLES))), 0});
   }
   Path_data data(true, STEPS);
   data.add(pieces.data(), pieces.data() + pieces.size());
