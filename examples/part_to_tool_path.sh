@@ -12,13 +12,13 @@ cp "$(dirname "${BASH_SOURCE[0]}")"/data/mount/*.dxf "$2"
 cd "$2"
 bounding_arcs() { "$tool" "$@"; }
 
-# Shows each command on standard input and runs it. A line that ends by | goes on in the next one.
+# Shows each command on standard input and runs it. A line that ends by | or \ goes on in the next one.
 follow() {
   local line command='' prompt='$ '
   while IFS= read -r line; do
     echo "$prompt$line"
     command+=$line$'\n' prompt=''
-    [[ $line != *'|' ]] || continue
+    [[ $line != *['|\\'] ]] || continue
     eval "$command" 2>&1 < /dev/null
     command='' prompt='$ '
   done
@@ -28,7 +28,7 @@ follow << 'END'
 bounding_arcs info mount.dxf
 bounding_arcs info mount.dxf -o drawing.svg
 bounding_arcs info mount.dxf --layers Cut --join-ends 0.01
-bounding_arcs boolean union mount.dxf ear.dxf --layers Cut --join-ends 0.01 --format dxf |
+bounding_arcs boolean union mount.dxf ear.dxf --layers Cut --join-ends 0.01 |
   bounding_arcs boolean difference - bolt.dxf -o part.dxf
 bounding_arcs info part.dxf -o part.svg
 bounding_arcs thickness part.dxf --eps 0.1 --below 5 -o thin.svg || echo too thin
@@ -39,6 +39,8 @@ bounding_arcs offset part.dxf --distance -4,-6,-8,-10,-12,-14,-16,-18,-20 --eps 
 bounding_arcs offset part.dxf --distance -4,-6,-8,-10,-12,-14,-16,-18,-20 --eps 0.01 -o pocket.svg
 sed -En 's/^.offset (.*).$/\1/p' pocket.nc | paste -sd' '
 bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --feed 300 -o carving.nc
-bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 -o carving.svg
+bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 1.5 \
+  --feed 300 -o flat.nc
+bounding_arcs medial-axis mount.dxf --layers Engrave --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 1.5 -o carving.svg
 head -9 carving.nc
 END

@@ -91,7 +91,9 @@ Curve_file read_curve_file_from_text(const std::string& text, const std::string&
     return with_rounding_of_doubles(tool::read_dxf_curves(std::string_view(text).substr(start), file, options));
   if (text[first] == '<') return with_rounding_of_doubles(tool::read_svg_curves(text, file, options));
   refuse_others(text, first, file);
-  return {tool::read_json_curves(text, file, stem), options.rule.value_or(Fill_rule::NONZERO), {}};
+  Curve_file read = tool::read_json_curves(text, file, stem);
+  read.rule = options.rule.value_or(read.rule);
+  return read;
 }
 
 Curve_file read_curve_file(const std::string& path, const Reading_options& options) {

@@ -24,8 +24,9 @@ using CGAL::Bounding_arcs::Reading_options;
 /// The curves of a JSON text: one object, or {"curves": [...]}, which may be none.
 ///
 /// An object holds "type": "bezier", "bspline" or "nurbs"; "degree": 1 to 32; "control_points": [[x, y], ...]; and, all
-/// optional, "name", "weights", "knots", "closed", "periodic", "part", "delta". Other keys are ignored, a key given
-/// twice is an error.
+/// optional, "name", "layer", "colour", "weights", "knots", "closed", "periodic", "part", "delta". Other keys are
+/// ignored, a key given twice is an error. The document may hold "unit_in_mm" and "y_is_down" beside "curves" or in the
+/// object.
 /// * A bezier has degree + 1 control points, perhaps weights, no knots, and is never periodic.
 /// * A bspline or nurbs must have "knots": a list as B_spline_curve_2 takes it, or "uniform", which
 ///   without "periodic" is 0, 1, 2, ...: unclamped.
@@ -35,8 +36,7 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * "closed" is information only: nothing is added to close a curve.
 /// \param stem the name of a curve without one; in a list followed by "." and its place from 1
 /// \throws Input_error
-[[nodiscard]] std::vector<Curve_record> read_json_curves(const std::string& text, const std::string& file,
-                                                         const std::string& stem);
+[[nodiscard]] Curve_file read_json_curves(const std::string& text, const std::string& file, const std::string& stem);
 
 /// The curves of an SVG text: one record of type PATH a subpath with at least one piece, in document order.
 ///

@@ -154,6 +154,7 @@ class Dxf_collector {
     Dxf_entity entity;
     entity.kind = one_line(item.kind, LONGEST_KIND);
     entity.layer = item.text(8, "0");
+    entity.name = item.name;
     entity.number = ++numbers_[entity.noun()];
     entity.colour = colour_of(item);
     digits_.take(item);

@@ -39,8 +39,8 @@ struct Dxf_colour {
 
 /// An entity: its curves, or an insertion, or why it is left out.
 struct Dxf_entity {
-  std::string kind, layer;
-  std::size_t number = 0;  ///< of its noun, from 1
+  std::string kind, layer, name;  ///< a name where the file tells one
+  std::size_t number = 0;         ///< of its noun, from 1
   std::vector<Dxf_curve> curves;
   Dxf_insertion insertion;
   std::string reason;  ///< why it is left out, or empty

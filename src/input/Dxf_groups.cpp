@@ -119,9 +119,14 @@ std::optional<Dxf_item> Dxf_items::next() {
     has_end_ = true;
     return std::nullopt;
   }
+  constexpr int PROGRAM = 1001, STRING = 1000;
   Dxf_item item{begun_->value, {}};
-  for (begun_ = next_group(); begun_ && begun_->code != 0; begun_ = next_group())
+  bool is_ours = false;
+  for (begun_ = next_group(); begun_ && begun_->code != 0; begun_ = next_group()) {
     if (begun_->code < COMMENT) item.groups.push_back(*begun_);
+    else if (begun_->code == PROGRAM) is_ours = begun_->value == DXF_NAMES;
+    else if (begun_->code == STRING && is_ours) item.name = begun_->value;
+  }
   item.is_cut = !begun_;
   return item;
 }

@@ -22,6 +22,9 @@ struct Dxf_left_out : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The program in whose extended data names of curves are.
+constexpr const char* DXF_NAMES = "BOUNDING_ARCS";
+
 struct Dxf_group {
   int code;
   std::string_view value;  ///< without spaces around it
@@ -37,6 +40,7 @@ struct Dxf_item {
   std::string_view kind;
   std::vector<Dxf_group> groups;  ///< without its kind, comments and extended data
   bool is_cut = false;            ///< the text ends in it
+  std::string_view name = {};     ///< in the extended data of DXF_NAMES; empty for none
 
   /// The first group with a code; nothing where there is none.
   [[nodiscard]] const Dxf_group* find(int code) const;

@@ -43,6 +43,11 @@ Dxf_curve polyline_curve(const std::vector<Dxf_vertex>& vertices, bool is_closed
   return curve;
 }
 
+double end_of_range(double from, double to) {
+  constexpr double TURN = 360, SLACK = 1e-4;
+  return std::fabs(std::fabs(to - from) - TURN) < SLACK ? from + TURN : to;
+}
+
 Dxf_curve conic_curve(const Svg_transform& of_unit_circle, double from, double to) {
   constexpr double TURN = 360, QUARTER = 90;
   // Angles come rounded: one that is so little more than 90 degrees is not worth another piece.

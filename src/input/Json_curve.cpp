@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace bounding_arcs_tool {
 
 using CGAL::Bounding_arcs::b_spline;
 using CGAL::Bounding_arcs::bezier_pieces;
+using CGAL::Bounding_arcs::Curve_colour;
 using CGAL::Bounding_arcs::text_of;
 using CGAL::Bounding_arcs::Xy;
 
@@ -26,6 +28,8 @@ using nlohmann::json;
 
 // Binomial coefficients up to 32 over 16 are exact in double, and no drawing program goes beyond.
 constexpr int MAXIMUM_DEGREE = 32;
+
+constexpr double MAXIMUM_UNIT = 1e30;  // mm, beyond what anything is drawn in
 
 constexpr const char* A_DEGREE = "a whole number from 1 to 32";
 constexpr const char* A_PART = "two parameters [t0, t1]";
@@ -68,6 +72,20 @@ const char* read_truth(const json& value, bool& truth) {
   return nullptr;
 }
 
+const char* read_colour(const json& value, Curve_colour& colour) {
+  constexpr const char* A_COLOUR = R"(a colour: a number from 1 to 255, or "#rrggbb")";
+  const double x = number_of(value);
+  if (x >= 1 && x <= 255 && x == std::floor(x)) {
+    colour = {static_cast<int>(x), -1};
+    return nullptr;
+  }
+  const std::string text = value.is_string() ? value.get<std::string>() : "";
+  if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != text.npos)
+    return A_COLOUR;
+  colour = {0, static_cast<int>(std::strtol(text.c_str() + 1, nullptr, 16))};
+  return nullptr;
+}
+
 const char* read_into(std::vector<double>& list, double x, const char* wrong) {
   if (wrong == nullptr) list.push_back(x);
   return wrong;
@@ -92,7 +110,8 @@ Json_role role_in_curve(const std::string& key) {
       {"type", Json_role::TYPE},       {"name", Json_role::NAME},         {"degree", Json_role::DEGREE},
       {"closed", Json_role::CLOSED},   {"periodic", Json_role::PERIODIC}, {"control_points", Json_role::POINTS},
       {"weights", Json_role::WEIGHTS}, {"knots", Json_role::KNOTS},       {"pieces", Json_role::PIECES},
-      {"part", Json_role::PART},       {"delta", Json_role::DELTA}};
+      {"part", Json_role::PART},       {"delta", Json_role::DELTA},       {"layer", Json_role::LAYER},
+      {"colour", Json_role::COLOUR},   {"unit_in_mm", Json_role::UNIT},   {"y_is_down", Json_role::Y_IS_DOWN}};
   for (const auto& [name, role] : ROLES)
     if (key == name) return role;
   return Json_role::IGNORED;
@@ -153,6 +172,17 @@ const char* Json_curve::take(Json_role role, const json& value) {
       if (!value.is_string()) return "a string";
       record_.name = value.get_ref<const std::string&>();
       return nullptr;
+    case Json_role::LAYER:
+      if (!value.is_string()) return "a string";
+      record_.layer = value.get_ref<const std::string&>();
+      return nullptr;
+    case Json_role::COLOUR:
+      return read_colour(value, record_.colour);
+    case Json_role::UNIT:
+      unit_in_mm_ = value.is_null() ? 0 : number_of(value);
+      return value.is_null() || (unit_in_mm_ > 0 && unit_in_mm_ < MAXIMUM_UNIT) ? nullptr : "a length above 0, or null";
+    case Json_role::Y_IS_DOWN:
+      return read_truth(value, record_.y_is_down);
     case Json_role::COORDINATE:
       if (coordinates_ < xy_.size()) xy_[coordinates_++] = number_of(value);
       return wrong_number(number_of(value));

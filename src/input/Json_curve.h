@@ -28,6 +28,10 @@ enum class Json_role {
   CURVE,
   TYPE,
   NAME,
+  LAYER,
+  COLOUR,
+  UNIT,  ///< of the document, and so is the next one
+  Y_IS_DOWN,
   DEGREE,
   CLOSED,
   PERIODIC,
@@ -69,6 +73,10 @@ class Json_curve {
   }
   [[nodiscard]] bool has_failed() const { return error_.has_value(); }
 
+  /// What a document tells of all its curves.
+  [[nodiscard]] double unit_in_mm() const { return unit_in_mm_; }
+  [[nodiscard]] bool y_is_down() const { return record_.y_is_down; }
+
   /// The record, once.
   /// \param path the place of the curve, "" for the whole document
   /// \throws Input_error
@@ -84,6 +92,7 @@ class Json_curve {
   [[nodiscard]] bool has(Json_role role) const { return (given_ >> static_cast<unsigned>(role) & 1) != 0; }
 
   Curve_record record_;
+  double unit_in_mm_ = 0;
   unsigned given_ = 0;  // a bit a role
   bool is_in_piece_ = false, has_own_points_ = false;
   std::array<double, 2> xy_{};

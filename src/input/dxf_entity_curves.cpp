@@ -5,6 +5,7 @@
 #include "dxf_entity_curves.h"
 
 #include "Input_text.h"
+#include "dxf_hatch.h"
 #include "dxf_multiline.h"
 #include "fit_spline.h"
 
@@ -26,8 +27,6 @@ using CGAL::Bounding_arcs::B_spline_curve_2;
 
 constexpr int CLOSED = 1;  // of group 70 of polylines
 
-Xy<double> point(const Dxf_item& item, int x) { return {item.real(x), item.real(x + 10)}; }
-
 double radius(double r) {
   if (r == 0) throw Dxf_left_out("radius 0");
   if (r < 0) throw Dxf_left_out("radius below 0");
@@ -44,12 +43,6 @@ Dxf_curve line(const Dxf_item& item) { return polyline_curve({{point(item, 10), 
 
 constexpr double TURN = 360;
 
-// The end of a range of angles, in degrees. They are written with as few as six digits behind the point, in radians:
-// what is so near to a turn is meant to be one. Else it would be open, or next to nothing, by what was rounded.
-double end_of_range(double from, double to) {
-  constexpr double SLACK = 1e-4;
-  return std::fabs(std::fabs(to - from) - TURN) < SLACK ? from + TURN : to;
-}
 // What is told of a range that was made a turn; as many digits as that are rounding of radians that are whole turns.
 std::string fault_of_range(double from, double to) {
   constexpr double ROUNDING = 1e-9;
@@ -113,6 +106,12 @@ Dxf_curve solid(const Dxf_item& item) {
   if (item.find(13) != nullptr) corners.push_back({point(item, 13), 0});
   corners.push_back({point(item, 12), 0});
   return placed(item, polyline_curve(corners, true));
+}
+
+Dxf_drawn hatch(const Dxf_item& item) {
+  Dxf_drawn drawn{dxf_hatch(item), ""};
+  for (Dxf_curve& curve : drawn.curves) curve = placed(item, curve);
+  return drawn;
 }
 
 struct Dxf_spline {
@@ -237,13 +236,16 @@ Dxf_drawn drawn(const Dxf_item& entity, const std::vector<Dxf_item>& vertices) {
     return {{spline_through(entity)}, "through fit points, interpolated by chord lengths"};
   if (entity.kind == "SPLINE") return {spline(entity), ""};
   if (entity.kind == "MLINE") return dxf_multiline(entity);
+  if (entity.kind == "HATCH") return hatch(entity);
   if (entity.kind == "SOLID" || entity.kind == "TRACE") return {{solid(entity)}, ""};
-  static const std::set<std::string_view> CURVELESS{"3DFACE", "ATTDEF", "ATTRIB", "DIMENSION", "HATCH",
-                                                    "IMAGE",  "MTEXT",  "POINT",  "TEXT",      "WIPEOUT"};
+  static const std::set<std::string_view> CURVELESS{"3DFACE", "ATTDEF", "ATTRIB", "DIMENSION", "IMAGE",
+                                                    "MTEXT",  "POINT",  "TEXT",   "WIPEOUT"};
   throw Dxf_left_out(CURVELESS.count(entity.kind) > 0 ? "no curve" : "a kind that is not read");
 }
 
 }  // namespace
+
+Xy<double> point(const Dxf_item& item, int x) { return {item.real(x), item.real(x + 10)}; }
 
 bool is_seen_from_below(const Dxf_item& entity) {
   // Components of a normal come rounded. Seen at such an angle, lengths are shorter by a factor of 1 - 5e-19: far below

@@ -21,10 +21,13 @@ struct Dxf_drawn {
   std::string fault;              ///< what was wrong with the entity, which was read all the same; else empty
 };
 
-/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE, SPLINE, MLINE, SOLID or TRACE.
+/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE, SPLINE, MLINE, HATCH, SOLID or TRACE.
 /// \param vertices of a POLYLINE, the items behind it
 /// \throws Dxf_left_out for another entity, and for one without a curve in the plane
 [[nodiscard]] Dxf_drawn dxf_entity_curves(const Dxf_item& entity, const std::vector<Dxf_item>& vertices);
+
+/// The point whose x is in a group, and whose y is in that ten further. \throws Dxf_left_out where one is not there
+[[nodiscard]] Xy<double> point(const Dxf_item& item, int x);
 
 /// Whether an entity is in a plane that is seen from below: x then runs to the left.
 /// \throws Dxf_left_out where the plane is tilted

@@ -8,11 +8,16 @@
 #include "Dxf_contents.h"
 #include "Input_text.h"
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
@@ -45,6 +50,39 @@ class Dxf_notes {
   std::map<std::pair<std::string, std::string>, std::size_t> places_;
 };
 
+// Curves that others may run along.
+class Known_curves {
+ public:
+  Known_curves(const std::vector<Curve_record>& records, double rounding) : rounding_(rounding) {
+    if (records.empty()) return;
+    try {
+      tree_.emplace(CGAL::Bounding_arcs::drawing<double>(records));
+    } catch (const std::invalid_argument&) {
+      tree_.reset();  // what is not served is said later, and by its name
+    }
+  }
+  // Whether points of each piece are on one of the curves.
+  [[nodiscard]] bool has(const Curve_record& record) const {
+    // Programs write hatches with digits and directions of their own; an outline so far from another is one more.
+    constexpr double ASIDE = 0x1p-14;  // of its extent
+    CGAL::Bbox_2 box;
+    for (const auto& piece : record.beziers)
+      for (const Xy<double>& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+    const double aside = std::max(rounding_, ASIDE * std::max(box.x_span(), box.y_span()));
+    return std::all_of(record.beziers.begin(), record.beziers.end(), [&](const auto& piece) {
+      for (const double t : {0.0, 0.29, 0.5, 0.83}) {
+        const auto found = tree_ ? closest_point(*tree_, piece.point(t)) : std::nullopt;
+        if (!found || !(found->distance.upper <= aside)) return false;
+      }
+      return true;
+    });
+  }
+
+ private:
+  std::optional<CGAL::Bounding_arcs::Bounding_arc_tree_2> tree_;
+  double rounding_;
+};
+
 // Makes records of entities, those of inserted blocks where they come to stand.
 class Dxf_expansion {
  public:
@@ -68,13 +106,15 @@ class Dxf_expansion {
       if (reason.empty()) reason = entity.reason;
       if (reason.empty() && entity.kind == "INSERT") reason = insert(entity, here);
       if (reason.empty()) reason = add(entity, here);
+      if (!is_told(layer)) continue;
       if (!reason.empty()) notes_.add(entity, reason);
       else if (!entity.fault.empty()) notes_.add(entity, entity.fault, true);
     }
   }
   Curve_file result() && {
+    leave_out_known_outlines();
     for (std::size_t i = 0; i < records_.size(); ++i)
-      if (numbers_[layers_[i]] > 1 && !layers_[i].empty())
+      if (numbers_[layers_[i]] > 1 && !layers_[i].empty() && records_[i].name == valid_utf8(layers_[i]))
         records_[i].name += "." + std::to_string(++named_[layers_[i]]);
     if (!contents_.has_end) notes_.notes.push_back({1, "file", "no EOF at its end", true});
     if (records_.empty())
@@ -91,6 +131,11 @@ class Dxf_expansion {
       throw Input_error(
           file_, entity.noun() + " " + std::to_string(entity.number),
           "expected at most " + std::to_string(MAXIMUM_ENTITIES) + " entities and pieces, found more than that");
+  }
+
+  [[nodiscard]] bool is_told(const std::string& layer) const {
+    const auto is_it = [&](const std::string& asked) { return dxf_key(asked) == dxf_key(layer); };
+    return options_.layers.empty() || std::any_of(options_.layers.begin(), options_.layers.end(), is_it);
   }
 
   // What a layer that is off has in blocks on other layers is seen; one that is frozen hides that, too.
@@ -160,6 +205,40 @@ class Dxf_expansion {
     return false;
   }
 
+  // Leaves out outlines of hatches that other curves run along, or other hatches have; others are read.
+  void leave_out_known_outlines() {
+    if (outlines_.empty()) return;
+    std::vector<bool> is_outline(records_.size());
+    for (const auto& [i, hatch] : outlines_) is_outline[i] = true;
+    std::vector<Curve_record> others;
+    for (std::size_t i = 0; i < records_.size(); ++i)
+      if (!is_outline[i]) others.push_back(records_[i]);
+    const Known_curves known(others, contents_.rounding);
+    std::vector<bool> is_left_out(records_.size());
+    std::set<const Dxf_entity*> read;
+    std::set<std::vector<double>> outlines;
+    for (const auto& [i, hatch] : outlines_) {
+      is_left_out[i] = known.has(records_[i]) || !outlines.insert(key_of(records_[i])).second;
+      if (!is_left_out[i]) read.insert(hatch);
+    }
+    for (const auto& [i, hatch] : outlines_) {
+      if (!is_told(layers_[i].empty() ? "0" : layers_[i])) continue;
+      if (read.count(hatch) > 0) notes_.add(*hatch, "by its outline, which no other curves draw", true);
+      else notes_.add(*hatch, "its outline is drawn by other curves");
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      if (is_left_out[i]) {
+        if (records_[i].name == valid_utf8(layers_[i])) --numbers_[layers_[i]];
+        continue;
+      }
+      if (kept != i) records_[kept] = std::move(records_[i]), layers_[kept] = std::move(layers_[i]);
+      ++kept;
+    }
+    records_.resize(kept);
+    layers_.resize(kept);
+  }
+
   // \return why it is left out, or nothing
   std::string add(const Dxf_entity& entity, const Around& here) {
     const std::string& layer = here.layer;
@@ -170,18 +249,20 @@ class Dxf_expansion {
       record.layer = valid_utf8(layer);
       record.colour = here.colour;
       record.name = is_named ? valid_utf8(layer) : entity.noun() + std::to_string(entity.number);
-      if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
+      if (!entity.name.empty()) record.name = valid_utf8(entity.name);
+      else if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
       try {
         record.beziers = transformed(entity.curves[i], here.transform);
       } catch (const std::invalid_argument& error) {
         return error.what();
       }
-      if (is_there(record, is_named ? layer : "")) return "there twice";
+      if (entity.kind != "HATCH" && is_there(record, is_named ? layer : "")) return "there twice";
       record.closed = record.beziers.front().control_points().front() == record.beziers.back().control_points().back();
       for (const auto& bezier : record.beziers) record.degree = std::max(record.degree, bezier.degree());
       count(entity, record.beziers.size());
       layers_.push_back(is_named ? layer : "");
-      ++numbers_[layers_.back()];
+      if (entity.name.empty()) ++numbers_[layers_.back()];
+      if (entity.kind == "HATCH") outlines_.emplace_back(records_.size(), &entity);
       records_.push_back(std::move(record));
     }
     return "";
@@ -195,6 +276,7 @@ class Dxf_expansion {
   std::size_t copies_ = 0;
   std::vector<Curve_record> records_;
   std::vector<std::string> layers_;                                   // of each record; empty for none
+  std::vector<std::pair<std::size_t, const Dxf_entity*>> outlines_;   // records of hatches
   std::unordered_map<std::size_t, std::vector<std::size_t>> by_key_;  // records by their numbers
   std::map<std::string, std::size_t> numbers_, named_;  // records of a layer, and those that have their number
 };

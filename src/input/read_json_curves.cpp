@@ -61,12 +61,16 @@ class Json_reader {
   }
 
   /// The curves, when the text is over.
-  std::vector<Curve_record> records() {
+  Curve_file result() {
     if (!has_list_ && has_offsets_)
       throw Input_error(place_.file(), "offsets",
                         "expected curves, found a result of `offset`: its DXF, by --format dxf, can be read");
     if (!has_list_) records_.push_back(document_.finish(place_.file(), "", stem_));
-    return std::move(records_);
+    for (Curve_record& record : records_) record.y_is_down = document_.y_is_down();
+    Curve_file file;
+    file.curves = std::move(records_);
+    file.unit_in_mm = document_.unit_in_mm();
+    return file;
   }
 
  private:
@@ -152,7 +156,8 @@ class Json_reader {
   }
 
   void unexpected(Json_role role, const char* wanted, const std::string& found) {
-    const bool is_of_list = role == Json_role::CURVES || role == Json_role::CURVE;
+    const bool is_of_list = role == Json_role::CURVES || role == Json_role::CURVE ||
+                            (levels_.size() == 1 && (role == Json_role::UNIT || role == Json_role::Y_IS_DOWN));
     if (!is_of_list && curve().has_failed()) return;  // a message for each of a million wrong points takes its time
     const Input_error error(place_.file(), place_.path(), std::string("expected ") + wanted + ", found " + found);
     if (is_of_list) throw error;
@@ -170,10 +175,10 @@ class Json_reader {
 
 }  // namespace
 
-std::vector<Curve_record> read_json_curves(const std::string& text, const std::string& file, const std::string& stem) {
+Curve_file read_json_curves(const std::string& text, const std::string& file, const std::string& stem) {
   Json_reader reader(text, file, stem);
   json::sax_parse(text, &reader);
-  return reader.records();
+  return reader.result();
 }
 
 }  // namespace bounding_arcs_tool

@@ -36,6 +36,12 @@ std::string joined_text(const ba::Joined_curves& joined) {
          (joined.moved > 0 ? ", ends moved by up to " + short_number(joined.moved) : "");
 }
 
+std::string ambiguous_text(const std::vector<Xy<double>>& places) {
+  if (places.empty()) return "";
+  return "ambiguous: more than two ends meet at " + count_text(places.size(), "place") +
+         (places.size() == 1 ? ", " : ", the first ") + place_text(places.front()) + ", and are not joined";
+}
+
 // Names of layers have no case in DXF.
 std::string layer_key(const std::string& name) {
   std::string key = name;
@@ -110,6 +116,7 @@ Read_file read_file(const std::string& path, const Reading_words& words) {
     read.parts.clear();
     for (const auto& parts : joined.parts) read.parts.push_back(parts.size());
     read.joined = joined_text(joined);
+    read.ambiguous = ambiguous_text(joined.crowded);
     read.moved = joined.moved;
   }
   if (!words.ids.empty())

@@ -20,9 +20,10 @@ struct Read_file {
   CGAL::Bounding_arcs::Curve_file file;
   std::vector<std::size_t> parts;  ///< of how many curves of the file each curve was made
   std::string converted;           ///< "converted from units of 25.4 mm to mm"; empty where it was not
-  std::string joined;   ///< "joined: 8 open curves to 2 closed ones, ends moved by up to 1e-07"; empty where none was
-  double moved = 0;     ///< how far an end was moved at most
-  std::string skipped;  ///< "left out: 1 open curve, ..." where these were to be skipped; empty where there was none
+  std::string joined;     ///< "joined: 8 open curves to 2 closed ones, ends moved by up to 1e-07"; empty where none was
+  std::string ambiguous;  ///< "ambiguous: more than two ends meet at 2 places, the first at (1, 1)"; empty for none
+  double moved = 0;       ///< how far an end was moved at most
+  std::string skipped;    ///< "left out: 1 open curve, ..." where these were to be skipped; empty where there was none
 
   /// Leaves those curves for which a function of their number is true.
   template <class Is_wanted> void keep_if(const Is_wanted& is_wanted) {

@@ -38,8 +38,9 @@ struct Fitted_curve {
   std::size_t number_of_beziers = 0, number_of_spirals = 0;
   std::vector<std::size_t> beziers;  // of each spiral
   ba::Arc_chain chain;
-  double least = 0;                    // N*: what no chain of this kind can go below as eps goes to 0
-  double least_ms = 0, median_ms = 0;  // of fitting
+  std::vector<std::size_t> last_beziers;  // of each arc, the one where it ends
+  double least = 0;                       // N*: what no chain of this kind can go below as eps goes to 0
+  double least_ms = 0, median_ms = 0;     // of fitting
 };
 
 // Twice the area of the curve closed by its chord, by its control polygon: positive if it runs counterclockwise.
@@ -75,6 +76,31 @@ double least_number(const Spirals& spirals, double eps, const ba::Arc_chain_opti
   return (tangent ? 2 : 1) * std::cbrt(f / eps) * integral;
 }
 
+// Makes arcs of one circle one arc, up to half of it: pieces of curves cut them.
+void join_arcs(Fitted_curve& curve, double eps) {
+  constexpr double MOVE = 0x1p-44;  // of the chord: the guarantee of arc_of_both
+  std::vector<ba::Chain_arc_2> arcs;
+  for (const ba::Chain_arc_2& arc : curve.chain.arcs) {
+    if (!arcs.empty() && arcs.back().to == arc.from)
+      if (const std::optional<Arc_2> both = arc_of_both(arcs.back(), arc)) {
+        ba::Chain_arc_2 whole = arcs.back();
+        static_cast<Arc_2&>(whole) = *both;
+        whole.t1 = arc.t1;
+        whole.error = (std::max)(whole.error, arc.error) +
+                      MOVE * std::hypot(both->to.x - both->from.x, both->to.y - both->from.y);
+        if (whole.error <= eps) {
+          arcs.back() = whole;
+          curve.last_beziers.back() = curve.beziers[arc.spiral];
+          curve.chain.error = (std::max)(curve.chain.error, whole.error);
+          continue;
+        }
+      }
+    arcs.push_back(arc);
+    curve.last_beziers.push_back(curve.beziers[arc.spiral]);
+  }
+  curve.chain.arcs = std::move(arcs);
+}
+
 Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, const Arcs_options& options) {
   Fitted_curve curve;
   curve.record = std::move(record);
@@ -104,8 +130,13 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
     throw Input_error(file, place,
                       "eps " + number(eps) + " needs more than " + std::to_string(options.max_arcs) +
                           " arcs; raise --max-arcs or eps");
+  join_arcs(curve, eps);
   if (options.format == "table") curve.least = least_number(spirals, eps, how);  // takes longer than fitting
   return curve;
+}
+
+std::size_t last_bezier(const Fitted_curve& curve, const ba::Chain_arc_2& arc) {
+  return curve.last_beziers[static_cast<std::size_t>(&arc - curve.chain.arcs.data())];
 }
 
 void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
@@ -125,6 +156,8 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
       pieces.add_members(text, arc);
       text += ',';
       add_span_members(text, c.beziers[arc.spiral], arc.t0, arc.t1);
+      if (last_bezier(c, arc) != c.beziers[arc.spiral])
+        text += ",\"bezier_end\":" + std::to_string(last_bezier(c, arc));
       text += ",\"error\":";
       add_number(text, arc.error);
       text += '}';
@@ -140,11 +173,11 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
 }
 
 void write_csv(std::ostream& out, const std::vector<Fitted_curve>& curves) {
-  out << "curve,bezier,t0,t1,error," << PIECE_COLUMNS << '\n';
+  out << "curve,bezier,t0,t1,bezier_end,error," << PIECE_COLUMNS << '\n';
   for (const Fitted_curve& c : curves)
     for (const ba::Chain_arc_2& arc : c.chain.arcs)
       out << csv_field(c.record.name) << ',' << c.beziers[arc.spiral] << ',' << number(arc.t0) << ',' << number(arc.t1)
-          << ',' << number(arc.error) << ',' << piece_fields(arc) << '\n';
+          << ',' << last_bezier(c, arc) << ',' << number(arc.error) << ',' << piece_fields(arc) << '\n';
 }
 
 void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps) {

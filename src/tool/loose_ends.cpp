@@ -47,17 +47,12 @@ double extent(const ba::Drawing_2<double>& drawing) {
 
 ba::Reading_note Loose_ends::note() const {
   std::string what = open == 1 ? "open curve" : "open curves";
-  if (crowded > 0)
-    what += ", whose ends are three or more at " + places_text(crowded) + " such as " + place_text(first_crowded);
   if (gaps > 0)
-    what += (crowded > 0 ? ", and " : ", whose ends ") +
+    what += ", whose ends " +
             (widest > 0 ? "are up to " + short_number(widest) + " apart at " : std::string("meet at ")) +
             places_text(gaps);
   what += (open == 1 ? ", from " : ", the first from ") + place_text(start) + " to " + place_text(end);
-  const std::string why = gaps > 0      ? "--join-ends " + short_number(widest) + " joins them"
-                          : crowded > 0 ? "they are not joined"
-                                        : "no inside";
-  return {open, what, why};
+  return {open, what, gaps > 0 ? "--join-ends " + short_number(widest) + " joins them" : "no inside"};
 }
 
 std::string Loose_ends::text() const { return text_of(note()); }
@@ -76,8 +71,6 @@ Loose_ends loose_ends(const ba::Drawing_2<double>& drawing) {
   if (ends.open == 0) return ends;
   const double size = extent(drawing);
   ba::Joined_curves joined = ba::join_curves(open, ba::rounding_of_ends(ba::coordinate_size(drawing)));
-  ends.crowded = joined.crowded.size();
-  if (ends.crowded > 0) ends.first_crowded = joined.crowded.front();
   // Details that are smaller than the gaps between others hide these: what is nearest goes first.
   for (const double share : {0x1p-30, 0x1p-20, 0x1p-10}) {
     if (joined.joints > 0) break;

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What keeps curves open: ends that are too far apart, or too many at one place. An outline of such has no inside.
+// What keeps curves open: ends that are too far apart. An outline of such has no inside.
 
 #ifndef BOUNDING_ARCS_TOOL_LOOSE_ENDS_H
 #define BOUNDING_ARCS_TOOL_LOOSE_ENDS_H
@@ -19,13 +19,9 @@ namespace bounding_arcs_tool {
 struct Loose_ends {
   std::size_t open = 0;
   CGAL::Bounding_arcs::Xy<double> start{0, 0}, end{0, 0};  ///< of the first one
-  std::size_t crowded = 0;                                 ///< places where more than two ends meet
-  CGAL::Bounding_arcs::Xy<double> first_crowded{0, 0};
   std::size_t gaps = 0;  ///< pairs of ends that are near, and that --join-ends would join
   double widest = 0;     ///< how far apart they are at most, rounded up; 0 where they are the same
 
-  /// Whether there are places to tell of.
-  [[nodiscard]] bool meet() const { return crowded + gaps > 0; }
   /// What a reader tells of curves that it leaves out.
   [[nodiscard]] CGAL::Bounding_arcs::Reading_note note() const;
   /// "4 open curves, whose ends are up to 0.001 apart at 4 places, the first from (0, 0) to (10, 0): --join-ends 0.001

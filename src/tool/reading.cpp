@@ -63,7 +63,8 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
                   "name stands also for name.1, name.2, ...")
       ->type_name("LIST");
   command.add_flag("--strict", words.is_strict,
-                   "Refuse a file that cannot be read whole; else what is left out is said on standard error");
+                   "Refuse a file in which something is left out, joined or open where it has to be closed, unless an\n"
+                   "option asks for that; else a line on standard error says it");
   command.add_flag("--hidden", words.options.with_hidden,
                    "Read also what is invisible in a drawing, and layers that are off or frozen");
   command.add_flag("--paper", words.options.with_paper,
@@ -90,33 +91,48 @@ void tell(const std::string& file, const std::string& text) {
   std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << text << '\n';
 }
 
-void tell_notes(const std::string& file, const std::vector<ba::Reading_note>& notes, const Reading_words& words) {
-  if (notes.empty()) return;
+void tell_change(const std::string& file, const std::string& text, const Reading_words& words) {
+  if (text.empty()) return;
   constexpr std::size_t LONGEST = 4000;  // bytes: names of kinds are the file's, and may be many
-  const std::string text = one_line(text_of(notes), LONGEST);
+  const std::string line = one_line(text, LONGEST);
   if (words.is_strict)
-    throw ba::Input_error(file, "--strict", "expected a file that is read whole, found one that is not: " + text);
-  tell(file, text);
+    throw ba::Input_error(file, "--strict",
+                          "expected a file that is read as it stands, found one that is not: " + line);
+  tell(file, line);
 }
+
+void tell_notes(const std::string& file, const std::vector<ba::Reading_note>& notes, const Reading_words& words) {
+  tell_change(file, text_of(notes), words);
+}
+
+namespace {
+
+void tell_joined(const std::string& file, const Read_file& read, const Reading_words& words) {
+  if (!read.converted.empty()) tell(file, read.converted);
+  if (words.join.empty()) tell_change(file, read.joined, words);
+  else if (!read.joined.empty()) tell(file, read.joined);
+  tell_change(file, read.ambiguous, words);
+}
+
+}  // namespace
 
 ba::Reading_options reading_options(const Reading_words& words) {
   ba::Reading_options options = words.options;
+  if (!words.layers.empty()) options.layers = words_between_commas(words.layers);
   if (!words.rule.empty()) options.rule = fill_rule(words.rule, ba::Fill_rule::NONZERO);
   return options;
 }
 
 ba::Curve_file read_joined(const std::string& path, const Reading_words& words) {
   Read_file read = read_file(path, words);
-  for (const std::string& text : {read.converted, read.joined})
-    if (!text.empty()) tell(name_of_file(path), text);
+  tell_joined(name_of_file(path), read, words);
   return std::move(read.file);
 }
 
 ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
   const std::string name = name_of_file(path);
   Read_file read = read_file(path, words);
-  for (const std::string& text : {read.converted, read.joined})
-    if (!text.empty()) tell(name, text);
+  tell_joined(name, read, words);
   if (words.skips_open) skip_open(name, read);
   if (!read.skipped.empty()) tell(name, read.skipped);  // no error with --strict, as it was asked for
   tell_notes(name, read.file.notes, words);

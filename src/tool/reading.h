@@ -24,7 +24,7 @@ namespace bounding_arcs_tool {
 /// What the command line says about reading.
 struct Reading_words {
   CGAL::Bounding_arcs::Reading_options options;
-  bool is_strict = false;    ///< files have to be read whole
+  bool is_strict = false;    ///< files have to be read as they stand there
   std::string join;          ///< how far apart ends may be that are joined, or none; empty for the file's rounding
   bool skips_open = false;   ///< open curves are left out
   std::string layers, ids;   ///< that are wanted, with commas between; empty for all
@@ -48,14 +48,16 @@ void add_reading_options(CLI::App& command, Reading_words& words);
 /// Says something about a file, in one line on standard error.
 void tell(const std::string& file, const std::string& text);
 
-/// Says in one line on standard error what notes tell of a file, if there are any.
-/// \throws Input_error in place of the line where all is to be read
+/// Says in one line on standard error what was read otherwise than it stands in a file, if anything was.
+/// \throws Input_error in place of the line where --strict forbids it
+void tell_change(const std::string& file, const std::string& text, const Reading_words& words);
+/// Says so what notes tell. \throws Input_error likewise
 void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::Reading_note>& notes,
                 const Reading_words& words);
 
 /// What a reader is asked for.
 [[nodiscard]] CGAL::Bounding_arcs::Reading_options reading_options(const Reading_words& words);
-/// Reads a file and joins what meets, and tells that. \throws Input_error
+/// Reads a file and joins what meets, and tells that: a change, but where --join-ends asks for it. \throws Input_error
 [[nodiscard]] CGAL::Bounding_arcs::Curve_file read_joined(const std::string& path, const Reading_words& words);
 /// Reads a file so, without open curves where they are to be skipped, and tells its notes. \throws Input_error
 [[nodiscard]] CGAL::Bounding_arcs::Curve_file read_told(const std::string& path, const Reading_words& words);

@@ -50,20 +50,9 @@ inline std::string step(const View& view, const Arc_2& piece, bool forwards) {
   return text + view(to);
 }
 
-// A Bezier piece as SVG has it, or for higher degrees and weights as a fine polyline.
-inline std::string curve_path(const View& view, const Bezier_curve_2<double>& curve) {
-  const auto& p = curve.control_points();
-  std::string path = "M" + view(p.front());
-  constexpr int LARGEST_SVG_DEGREE = 3, SAMPLES = 256;
-  if (!curve.is_rational() && curve.degree() <= LARGEST_SVG_DEGREE) {
-    path += curve.degree() == 1 ? "L" : (curve.degree() == 2 ? "Q" : "C");
-    for (std::size_t i = 1; i < p.size(); ++i) path += (i > 1 ? " " : "") + view(p[i]);
-    return path;
-  }
-  path += "L";
-  for (int i = 1; i <= SAMPLES; ++i) path += (i > 1 ? " " : "") + view(curve.point(i / double(SAMPLES)));
-  return path;
-}
+/// Returns the path of a Bezier piece, "M ..." and a command: a segment or curve as SVG has it, an arc, also of an
+/// ellipse; a fine polyline for what SVG has not.
+[[nodiscard]] std::string curve_path(const View& view, const Bezier_curve_2<double>& curve);
 
 // The middle of an arc, off its chord's middle by the bulge times half the chord.
 inline Xy<double> middle(const Arc_2& piece) {

@@ -80,6 +80,58 @@ TEST(JoinCurves, LeavesApartMoreThanTwoEndsAndTellsWhere) {
   EXPECT_EQ(joined.joints, 2u);
 }
 
+TEST(JoinCurves, WhatGoesOnStraightGoesFirstWhereMoreThanTwoMeet) {
+  // Two circles that cross, cut where they do: arcs of 240 and 120 degrees about (0, 0) and (1, 0), in cubics.
+  const auto arc = [](double x, double from, double to) {
+    std::vector<Piece> pieces;
+    const double step = (to - from) / 4, k = 4 / 3. * std::tan(step / 4);
+    for (int i = 0; i < 4; ++i) {
+      const double a = from + i * step, b = a + step;
+      const Xy<double> center{x, 0}, p{std::cos(a), std::sin(a)}, q{std::cos(b), std::sin(b)};
+      const Xy<double> start = pieces.empty() ? center + p : pieces.back().control_points().back();
+      pieces.push_back(Piece({start, center + p + k * perp(p), center + q - k * perp(q), center + q}));
+    }
+    return pieces;
+  };
+  constexpr double THIRD = 1.0471975511965977;
+  Drawing_2<double> loose;
+  loose.add(arc(0, -THIRD, THIRD), "left, inner");
+  loose.add(arc(1, 2 * THIRD, 4 * THIRD), "right, inner");
+  loose.add(arc(1, 4 * THIRD, 8 * THIRD), "right, outer");
+  loose.add(arc(0, THIRD, 5 * THIRD), "left, outer");
+  const auto joined = join_curves(loose, 1e-9);
+  ASSERT_EQ(joined.drawing.curves().size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(joined.drawing.curves()[i].is_closed);
+    EXPECT_EQ(joined.parts[i][1].curve, i == 0 ? 3u : 2u);
+  }
+  EXPECT_TRUE(joined.crowded.empty());
+}
+
+TEST(JoinCurves, AtAJunctionTheLineThatEndsThereIsLeft) {
+  const auto junction = join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 3), segment(4, 0, 9, 0)}), 0);
+  ASSERT_EQ(junction.drawing.curves().size(), 2u);
+  EXPECT_EQ(junction.parts[0].size(), 2u);
+  EXPECT_EQ(junction.parts[0][1].curve, 2u);
+  EXPECT_TRUE(junction.crowded.empty());
+  const auto with_corner =
+      join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 3), segment(4, 0, 9, 0), segment(4, 0, 5, 3)}), 0);
+  EXPECT_EQ(with_corner.drawing.curves().size(), 2u) << "two are left, which are joined then";
+  EXPECT_EQ(with_corner.joints, 2u);
+}
+
+TEST(JoinCurves, WhatGoesOnInSeveralIsAmbiguous) {
+  const auto fork = drawing_of({segment(0, 0, 4, 0), segment(4, 0, 8, 0.06), segment(4, 0, 8, 0.2)});
+  EXPECT_EQ(join_curves(fork, 0).drawing.curves().size(), 3u) << "1 and 3 degrees";
+  EXPECT_EQ(join_curves(fork, 0).crowded, (Points{{4, 0}}));
+  const auto bent = drawing_of({segment(0, 0, 4, 0), segment(4, 0, 8, 0.08), segment(4, 0, 8, 4)});
+  EXPECT_EQ(join_curves(bent, 0).crowded.size(), 1u) << "1.1 degrees are a corner";
+  // Ends that may have been moved by half of eps tell less of short lines.
+  const auto clear = drawing_of({segment(0, 0, 4, 0), segment(4.01, 0, 8, 0), segment(4, 0.01, 8, 4)});
+  EXPECT_EQ(join_curves(clear, 0.02).drawing.curves().size(), 2u);
+  EXPECT_EQ(join_curves(clear, 0.08).crowded.size(), 1u);
+}
+
 TEST(JoinCurves, ClosesALoopWhateverElseEndsThere) {
   const auto joined =
       join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 3), segment(4, 3, 0, 0), segment(4, 3, 9, 9)}), 0);

@@ -128,5 +128,33 @@ TEST(ReadJson, IgnoresWhatElseStandsBesideAListOfCurves) {
   EXPECT_EQ(read("{" + other + ", " + list + "}").size(), 1u);
 }
 
+TEST(ReadJson, KeepsUnitLayersAndColours) {
+  const std::string line = R"("type":"bezier","degree":1,"control_points":[[0,0],[1,2]])";
+  const auto read = [&](const std::string& text) {
+    return CGAL::Bounding_arcs::read_curve_file_from_text(text, "file", "stem");
+  };
+  const auto file = read(R"({"unit_in_mm":25.4,"curves":[{"layer":"Cut","colour":3,)" + line +
+                         R"(},{"colour":"#0A80ff",)" + line + R"(}],"y_is_down":true})");
+  EXPECT_EQ(file.unit_in_mm, 25.4);
+  ASSERT_EQ(file.curves.size(), 2u);
+  EXPECT_EQ(file.curves[0].layer, "Cut");
+  EXPECT_EQ(file.curves[0].colour, (CGAL::Bounding_arcs::Curve_colour{3, -1}));
+  EXPECT_EQ(file.curves[1].layer, "");
+  EXPECT_EQ(file.curves[1].colour, (CGAL::Bounding_arcs::Curve_colour{0, 0x0a80ff}));
+  for (const auto& record : file.curves) EXPECT_TRUE(record.y_is_down);
+  const auto one = read("{\"unit_in_mm\":1,\"layer\":\"a\"," + line + "}");
+  EXPECT_EQ(one.unit_in_mm, 1);
+  EXPECT_EQ(one.curves.front().layer, "a");
+  EXPECT_FALSE(one.curves.front().y_is_down);
+  EXPECT_EQ(read("{\"unit_in_mm\":null," + line + "}").unit_in_mm, 0);
+  for (const std::string wrong : {"\"unit_in_mm\":0,", "\"unit_in_mm\":\"mm\",", "\"y_is_down\":1,"}) {
+    EXPECT_THROW((void)read("{" + wrong + "\"curves\":[]}"), CGAL::Bounding_arcs::Input_error) << wrong;
+    EXPECT_THROW((void)read("{" + wrong + line + "}"), CGAL::Bounding_arcs::Input_error) << wrong;
+  }
+  for (const std::string wrong :
+       {"\"layer\":1,", "\"colour\":0,", "\"colour\":256,", "\"colour\":\"red\",", "\"colour\":\"#12345g\","})
+    EXPECT_THROW((void)read("{" + wrong + line + "}"), CGAL::Bounding_arcs::Input_error) << wrong;
+}
+
 }  // namespace
 }  // namespace test_read_json

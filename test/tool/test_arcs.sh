@@ -67,4 +67,16 @@ expect_status 1
 expect_line '*eps 1e-08 needs more than 10 arcs*'
 expect_files
 
+# What is a circle is two halves of it, however many pieces the file has; so are arcs of one circle.
+printf '<svg xmlns="http://www.w3.org/2000/svg"><circle id="c" r="5"/>%s</svg>' \
+  '<path id="a" d="M20 0A5 5 0 0 1 25 5A5 5 0 0 1 20 10"/>' > circle.svg
+run arcs circle.svg --eps 0.01 --format csv
+expect_status 0
+[ "$(tail -n +2 "$results/out" | cut -d, -f1-5 | paste -sd' ')" = 'c,0,0,1,1 c,2,0,1,3 a,0,0,1,1' ] ||
+  fail "$command_line: $(cat "$results/out")"
+run arcs circle.svg --eps 0.01 --format json
+[ "$(grep -o '"bezier":[0-9]*,"t":\[0,1\],"bezier_end":[0-9]*' "$results/out" | tr -dc '0-9\n' | paste -sd' ')" = \
+  '0011 2013 0011' ] || fail "$command_line: $(cat "$results/out")"
+rm circle.svg
+
 finish

@@ -38,13 +38,13 @@ cmp -s wanted found || fail "DXF has other arcs than JSON: $(diff wanted found |
 run arcs --eps 1e-4 --format dxf "$curve"
 cmp -s arcs.dxf "$results/out" || fail 'standard output gets another drawing than -o'
 
-# and in again: all ends are the same doubles, and the arcs the same circles
+# and in again: ends are the same doubles, and the arcs the same circles; two neighbours of one circle are one arc now
 run arcs --eps 1e-9 --continuity position --format json arcs.dxf
 expect_status 0
 grep -q '"name":"a_wrench"' "$results/out" || fail 'the layer did not come back as a name'
 starts "$results/out" | cut -d' ' -f1,2 | sort > ends
 cut -d' ' -f1,2 found | sort > starts
-[ -z "$(comm -23 starts ends)" ] || fail "ends did not come back: $(comm -23 starts ends | head -3)"
+[ "$(comm -23 starts ends | wc -l)" -le 1 ] || fail "ends did not come back: $(comm -23 starts ends | head -3)"
 
 printf '<svg xmlns="http://www.w3.org/2000/svg"><path id="bow" d="M0 0C1 2 3 -1 4 1"/></svg>' > bow.svg
 run arcs --eps 1e-3 --format json bow.svg -o bow.json

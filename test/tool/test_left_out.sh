@@ -39,7 +39,7 @@ for command in 'build --method bca --eps 1' 'compare --eps 1 --repeat 1' 'compar
   run $command part.dxf --strict -o out
   expect_status 1
   expect_silence
-  expect_line "${left/left/--strict: expected a file that is read whole, found one that is not: left}"
+  expect_line "${left/left/--strict: expected a file that is read as it stands, found one that is not: left}"
   [ ! -e out ] || fail "$command_line: wrote a file"
   # shellcheck disable=SC2086
   run $command clean.dxf --strict
@@ -216,12 +216,18 @@ for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps
   expect_line "bounding_arcs: open.dxf: --strict: *: ${open#*dxf: }"
 done
 # they belong to what needs none
-for command in 'offset --distance 1 --eps 0.1' 'medial-axis --frame --eps 0.1' 'query closest --points middle'; do
+for command in 'medial-axis --frame --eps 0.1' 'query closest --points middle'; do
   # shellcheck disable=SC2086
   run $command open.dxf --strict
   expect_status 0
   [ -z "$err" ] || fail "$command_line: said $err"
 done
+# but an offset of one among closed ones is told
+run offset open.dxf --distance 1 --eps 0.1
+expect_status 0
+expect_line "bounding_arcs: open.dxf: taken for open: ${open#*left out: }; --skip-open leaves them out"
+run offset open.dxf --distance 1 --eps 0.1 --strict
+expect_status 1
 dxf "$line" > none.dxf  # none is left
 for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps 0.1'; do
   # shellcheck disable=SC2086
@@ -263,7 +269,7 @@ for command in 'build --method bca --eps 1' 'arcs --eps 0.1' 'arrange' 'query cl
   # shellcheck disable=SC2086
   [[ $command = clip* ]] && run $command || run $command fill.svg
   expect_status 0
-  [ -z "$err" ] || [[ $err = *'whose ends meet'* ]] || fail "$command_line: said $err"
+  [ -z "$err" ] || [[ $err = *'whose ends meet'* || $err = *'taken for open'* ]] || fail "$command_line: said $err"
   ! grep -q '"curve":0,[^}]*"bezier":3' "$results/out" || fail "$command_line: has a line that the file has not"
 done
 svg '<polyline points="0,0 8,0 8,8"/><path d="M0 20h4v4" style="fill:red"/>' > fill.svg
@@ -295,10 +301,23 @@ dxf "$rectangle" > loose.dxf
 joined='joined: 4 open curves to 1 closed one'
 for command in "${needing_inside[@]}" "${needing_none[@]}"; do
   # shellcheck disable=SC2086
-  run $command loose.dxf --strict  # all is read
+  run $command loose.dxf
+  expect_status 0
+  lines "$joined"
+  # shellcheck disable=SC2086
+  run $command loose.dxf --strict
+  expect_status 1
+  lines "--strict: expected a file that is read as it stands, found one that is not: $joined"
+  # shellcheck disable=SC2086
+  run $command loose.dxf --strict --join-ends 0  # as it was asked for
   expect_status 0
   lines "$joined"
 done
+run info loose.dxf --strict
+expect_status 1
+expect_silence
+run info loose.dxf --strict --join-ends 0
+expect_status 0
 inside '"area":32,' offset loose.dxf --distance=-1 --eps 0.01
 inside 'offset by' report --stability none --eps 1 --offset 1 loose.dxf
 lines "$joined"
@@ -311,9 +330,11 @@ for command in "${needing_inside[@]}"; do
   expect_status 1
   lines "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $at_four"
 done
-run offset loose.dxf --distance 1 --eps 0.01 --join-ends none --strict
+run offset loose.dxf --distance 1 --eps 0.01 --join-ends none
 expect_status 0
 lines "$at_four"
+run offset loose.dxf --distance 1 --eps 0.01 --join-ends none --strict
+expect_status 1
 run arcs loose.dxf --eps 1 --join-ends none
 lines_of_json='{"curves":[{"type":"bezier","degree":1,"control_points":[[0,0],[9,0]]},
 {"type":"bezier","degree":1,"control_points":[[9,0],[0,9]]},
@@ -343,12 +364,23 @@ lines 'joined: 4 open curves to 1 closed one, ends moved by up to 0.002'
 dxf "$rectangle$(segment 10 6 12 8)" > loose.dxf
 run offset loose.dxf --distance 1 --eps 0.01
 expect_status 0
-lines "$joined"
+lines "$joined" 'taken for open: 1 open curve, from (10, 6) to (12, 8): no inside; --skip-open leaves it out'
 dxf "$rectangle$(segment 0 0 10 6)" > loose.dxf
 run offset loose.dxf --distance 1 --eps 0.01
 expect_status 0
-lines 'joined: 4 open curves to 2 open ones' '3 open curves, whose ends are three or more at 2 places such as (0, 0), '\
-'the first from (0, 0) to (10, 6): they are not joined'
+ambiguous='ambiguous: more than two ends meet at 2 places, the first (0, 0), and are not joined'
+lines 'joined: 4 open curves to 2 open ones' "$ambiguous"
+run offset loose.dxf --distance 1 --eps 0.01 --strict --join-ends 0
+expect_status 1
+lines 'joined: 4 open curves to 2 open ones' \
+  "--strict: expected a file that is read as it stands, found one that is not: $ambiguous"
+run info loose.dxf
+grep -qx "$ambiguous" "$results/out" || fail "$command_line: does not tell: $ambiguous"
+# but two that go on straight are joined
+dxf "$(segment 0 0 4 0; segment 4 0 4 3; segment 4 0 9 0)" > loose.dxf
+run offset loose.dxf --distance 1 --eps 0.01
+expect_status 0
+lines 'joined: 2 open curves to 1 open one'
 
 # What stays open is left out where it is asked for, by all alike, and that is no fault.
 dxf "$rectangle$(square a 20 30)$apart" > loose.dxf  # the last one meets no other
@@ -361,7 +393,7 @@ for command in "${needing_inside[@]}"; do
 done
 for command in "${needing_inside[@]}" "${needing_none[@]}"; do
   # shellcheck disable=SC2086
-  [[ $command = clip* ]] || run $command loose.dxf --skip-open --strict
+  [[ $command = clip* ]] || run $command loose.dxf --skip-open --strict --join-ends 0
   expect_status 0
   lines "$joined" "$open"
 done
@@ -396,7 +428,8 @@ offset_says '0|LWPOLYLINE|8|0|90|4|70|0|10|0|20|0|10|4|20|0|10|4|20|4|10|1e-13|2
 offset_says "$(segment 0 0 10 0; arc 10 270 90; segment 10 4 0 4; arc 0 90 270)" "$joined"
 # ends of one layer go first
 offset_says "$(segment 0 0 10 0; segment 10 0 10 6; segment 10 6 0 0)0|LINE|8|dim|10|10|20|0|11|12|21|0|" \
-  'joined: 3 open curves to 1 closed one'
+  'joined: 3 open curves to 1 closed one' \
+  'taken for open: 1 open curve, from (10, 0) to (12, 0): no inside; --skip-open leaves it out'
 
 # Of SVG files likewise, but for what the file itself fills.
 svg '<g fill="none"><path d="M0 0h8v8"/><path d="M0 0v8h8"/></g>' > strokes.svg
@@ -407,6 +440,13 @@ run boolean union strokes.svg
 expect_line 'bounding_arcs: strokes.svg: read all the same: 2 open curves: closed by a straight line*'
 run boolean union strokes.svg --join-ends 0
 expect_line 'bounding_arcs: strokes.svg: joined: 2 open curves to 1 closed one'
+
+# What is on layers that were not asked for is not told.
+dxf "$(square a 0 8)$text${text/MTEXT|8|0/TEXT|8|a}" > layers.dxf
+run arcs layers.dxf --eps 1
+expect_line 'bounding_arcs: layers.dxf: left out: 1 MTEXT: no curve; 1 TEXT: no curve'
+run arcs layers.dxf --eps 1 --layers A
+expect_line 'bounding_arcs: layers.dxf: left out: 1 TEXT: no curve'
 
 # What is neither, by its name where it has one.
 other() {

@@ -106,7 +106,7 @@ rm header inch.nc
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --format gcode --feed 300
 expect_output << 'END'
 (units: mm)
-(passes: 3, cut 11.66, air 10.49 beside lifts)
+(passes: 3, cut 11.66, air 11.07 beside lifts)
 G17 G21 G90 G91.1 G94
 G0 Z5
 (carve)
@@ -117,14 +117,14 @@ G1 X7 Y-1
 G1 X8 Y0 Z0
 G0 Z5
 (carve)
-G0 X7 Y-1
-G1 Z-1 F300
-G1 X8 Y-2 Z0
+G0 X8 Y-2
+G1 Z0 F300
+G1 X7 Y-1 Z-1
 G0 Z5
 (carve)
-G0 X1 Y-1
-G1 Z-1 F300
-G1 X0 Y0 Z0
+G0 X0 Y0
+G1 Z0 F300
+G1 X1 Y-1 Z-1
 G0 Z5
 M2
 END
@@ -136,10 +136,10 @@ path,kind,x,y,z,bulge
 0,carve,1,1,-1,0
 0,carve,7,1,-1,0
 0,carve,8,0,0,0
-1,carve,7,1,-1,0
 1,carve,8,2,0,0
-2,carve,1,1,-1,0
+1,carve,7,1,-1,0
 2,carve,0,0,0,0
+2,carve,1,1,-1,0
 END
 # Half as deep: corners are carved down to that, and the middle is a pocket.
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --format csv
@@ -148,18 +148,48 @@ expect_output << 'END'
 path,kind,x,y,z,bulge
 0,carve,0,0,0,0
 0,carve,0.5,0.5,-0.5,0
-1,carve,0.5,1.5,-0.5,0
 1,carve,0,2,0,0
-2,carve,7.5,1.5,-0.5,0
+1,carve,0.5,1.5,-0.5,0
 2,carve,8,2,0,0
-3,carve,7.5,0.5,-0.5,0
+2,carve,7.5,1.5,-0.5,0
 3,carve,8,0,0,0
+3,carve,7.5,0.5,-0.5,0
 4,pocket,7.5,0.5,-0.5,0
 4,pocket,7.5,1.5,-0.5,0
 4,pocket,0.5,1.5,-0.5,0
 4,pocket,0.5,0.5,-0.5,0
 4,pocket,7.5,0.5,-0.5,0
 END
+# A flat tool clears the pocket: half of its diameter within the outline first, then so much further. Its G-code is its
+# own; other forms have it beside the bit's.
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --flat-tool 0.4 --format csv
+expect_status 0
+[ -z "$err" ] || fail "$command_line: said $err"
+rounded
+[ "$(grep flat "$results/out" | cut -d, -f2- | sort -u | paste -sd' ')" = "flat,0.7,0.7,-0.5,0 flat,0.7,1.3,-0.5,0 \
+flat,0.9,0.9,-0.5,0 flat,0.9,1.1,-0.5,0 flat,7.1,0.9,-0.5,0 flat,7.1,1.1,-0.5,0 flat,7.3,0.7,-0.5,0 \
+flat,7.3,1.3,-0.5,0" ] || fail "$command_line: $(grep flat "$results/out")"
+grep -q carve "$results/out" || fail "$command_line: not beside the bit's"
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --flat-tool 0.4 --feed 300 --format gcode
+expect_status 0
+[ "$(grep '^(' "$results/out" | tail -n +3 | paste -sd' ')" = '(flat) (flat)' ] ||
+  fail "$command_line: has other passes"
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --flat-tool 1 --feed 300 --format gcode
+expect_status 1
+expect_silence
+expect_line '*bar.svg: --flat-tool: expected a diameter that has room in what is flat, found 1'
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --flat-tool 1e-9 --format csv
+expect_status 2
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --flat-tool 1 --format csv
+expect_status 2
+expect_line 'bounding_arcs: --flat-tool: expected --max-depth beside it, found none'
+# A picture: cuts in colours of their depths, with a scale; ways through the air dashed.
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --flat-tool 0.4 --format svg
+expect_status 0
+for part in 'class="w"' stroke-dasharray '>0.25</text>' '5 paths of the bit, the deepest at 0.5; 2 of the'; do
+  grep -qF "$part" "$results/out" || fail "$command_line: no $part"
+done
+[ "$(grep -c 'class="r"' "$results/out")" -eq 4 ] || fail "$command_line: not four ways through the air"
 # in DXF they are 3D polylines, which read back as such, and outlines at their depth
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 -o bar.dxf
 expect_status 0
@@ -207,7 +237,7 @@ expect_status 2
 expect_line 'bounding_arcs: --max-depth: expected --v-bit beside it, found none'
 run medial-axis bar.svg --eps 0.01 --max-depth 1 --v-bit 90
 expect_status 2
-expect_line 'bounding_arcs: --format: expected dxf, csv or gcode with --max-depth, found json'
+expect_line 'bounding_arcs: --format: expected dxf, csv, svg or gcode with --max-depth, found json'
 run medial-axis bar.svg --eps 0.01 --max-depth 1 --v-bit 90 --frame 1 --format csv
 expect_status 2
 expect_line 'bounding_arcs: --max-depth: expected no frame beside it, found --frame'

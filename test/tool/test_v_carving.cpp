@@ -103,8 +103,11 @@ TEST(PassOrder, CutsGroupByGroupTheNearestNext) {
   std::vector<std::string> titles;
   for (const tool::Tool_pass& pass : found) titles.push_back(pass.title);
   EXPECT_EQ(titles, (std::vector<std::string>{"trunk", "twig", "branch", "far trunk", "far branch"}));
-  EXPECT_EQ(found[1].from(), (Xy<double>{8.5, 0}));  // from its other end, with its heights
-  EXPECT_EQ(found[1].heights, (std::vector<double>{-1, 0}));
+  EXPECT_EQ(found[1].heights, (std::vector<double>{0, -1})) << "no plunge to its deep end, which is nearer";
+  const auto on = tool::group_by_group({line("trunk", 2, 9), line("on", 12, 9), line("level", 12, 13)}, {0, 0, 0});
+  EXPECT_EQ(on[1].title, "on");
+  EXPECT_EQ(on[1].from(), (Xy<double>{9, 0})) << "from its deep end, where the bit is; with its heights";
+  EXPECT_EQ(on[1].heights, (std::vector<double>{-1, 0}));
 }
 
 }  // namespace

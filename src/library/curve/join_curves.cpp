@@ -37,6 +37,13 @@ bool is_within(const std::vector<Piece>& pieces, const Point& start, double r) {
   });
 }
 
+// From the start of a piece to the next control point that is another one; 0 for a point.
+Point arm(const Piece& piece) {
+  const auto& points = piece.control_points();
+  const auto next = std::find_if(points.begin(), points.end(), [&](const Point& p) { return p != points.front(); });
+  return next == points.end() ? Point{0, 0} : *next - points.front();
+}
+
 // Ends that are free, in cells of a grid: those within a distance are in the cells around.
 class Free_ends {
  public:
@@ -83,17 +90,18 @@ class Joints {
 
   // Joins what has one other end within reach that has no third one.
   void join_within(double reach, bool is_of_one_layer) {
-    const Free_ends ends = free_ends(reach);
-    std::vector<std::size_t> only(partner_.size(), NONE);
-    for_each_free([&](std::size_t end) {
-      const auto found = beside(ends, end, is_of_one_layer);
-      if (found.size() == 1) only[end] = found.front();
-    });
-    for (std::size_t end = 0; end < only.size(); ++end)
-      if (only[end] != NONE && end < only[end] && only[only[end]] == end) {
-        partner_[end] = only[end];
-        partner_[only[end]] = end;
-      }
+    join_only(
+        reach, is_of_one_layer, [](std::size_t, std::size_t) { return true; },
+        [](std::size_t, std::size_t) { return true; });
+  }
+  // Joins what goes on straight in one other end within reach, where no third one nearly does. Whether there was any.
+  bool join_straight_within(double reach, bool is_of_one_layer) {
+    // Tangents in files are rounded, and arcs are drawn by eye: a quarter of the angle would leave some apart. Twice
+    // as much would take corners for none.
+    constexpr double STRAIGHT = 0x1p-6, NEARLY = 4 * STRAIGHT;  // radians
+    return join_only(
+        reach, is_of_one_layer, [&](std::size_t a, std::size_t b) { return bend(a, b).at_least(reach) <= NEARLY; },
+        [&](std::size_t a, std::size_t b) { return bend(a, b).at_most(reach) <= STRAIGHT; });
   }
   // Closes chains whose own two ends are within reach, whatever else ends there.
   void close_within(double reach) {
@@ -112,7 +120,7 @@ class Joints {
     Free_ends told(reach, least_cell());
     std::vector<Point> places;
     for_each_free([&](std::size_t end) {
-      if (beside(ends, end, false).size() < 2) return;
+      if (beside(ends, end, false, [](std::size_t, std::size_t) { return true; }).size() < 2) return;
       if (told.beside(NONE, place(end), [](std::size_t) { return true; }).empty()) places.push_back(place(end));
       told.add(end, place(end));
     });
@@ -134,6 +142,42 @@ class Joints {
   [[nodiscard]] double least_cell() const {
     return (std::max)(std::ldexp(size_, -44), std::numeric_limits<double>::min());
   }
+  // How far the way through two ends is from a straight one: 2 at most, and less certain where ends were moved.
+  struct Bend {
+    double size, turn;  // turn: by how much it changes where both ends are moved by 1
+    [[nodiscard]] double at_least(double reach) const { return size - turn * reach / 2; }
+    [[nodiscard]] double at_most(double reach) const { return size + turn * reach / 2; }
+  };
+  [[nodiscard]] Bend bend(std::size_t a, std::size_t b) const {
+    const Point u = arm_at(a), v = arm_at(b);
+    const double p = distance(u, {0, 0}), q = distance(v, {0, 0});
+    if (p == 0 || q == 0) return {2, 0};
+    return {distance(1 / p * u, -1 / q * v), 1 / p + 1 / q};
+  }
+  [[nodiscard]] Point arm_at(std::size_t end) const {
+    const auto& pieces = curves_[end / 2].beziers;
+    return arm(end % 2 == 0 ? pieces.front() : pieces.back().reversed());
+  }
+
+  // Joins ends of which each is the only one that the other may be joined to, if it should. Whether there was any.
+  template <class May, class Should>
+  bool join_only(double reach, bool is_of_one_layer, const May& may, const Should& should) {
+    const Free_ends ends = free_ends(reach);
+    std::vector<std::size_t> only(partner_.size(), NONE);
+    for_each_free([&](std::size_t end) {
+      const auto found = beside(ends, end, is_of_one_layer, may);
+      if (found.size() == 1) only[end] = found.front();
+    });
+    bool is_any = false;
+    for (std::size_t end = 0; end < only.size(); ++end) {
+      const std::size_t other = only[end];
+      if (other == NONE || end > other || only[other] != end || !should(end, other)) continue;
+      partner_[end] = other;
+      partner_[other] = end;
+      is_any = true;
+    }
+    return is_any;
+  }
   template <class Action> void for_each_free(const Action& action) const {
     for (std::size_t end = 0; end < partner_.size(); ++end)
       if (partner_[end] == NONE && !curves_[end / 2].is_closed) action(end);
@@ -149,11 +193,13 @@ class Joints {
     return true;
   }
   // A curve no larger than its gap would become a point, and is not closed.
-  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, bool is_of_one_layer) const {
+  template <class May>
+  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, bool is_of_one_layer,
+                                                const May& may) const {
     return ends.beside(end, place(end), [&](std::size_t other) {
       if (other == other_end(end))
         return !is_within(curves_[end / 2].beziers, place(end), distance(place(end), place(other)));
-      return !is_of_one_layer || layers_[other / 2] == layers_[end / 2];
+      return (!is_of_one_layer || layers_[other / 2] == layers_[end / 2]) && may(end, other);
     });
   }
 
@@ -284,8 +330,10 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
   for (const bool is_of_one_layer : {true, false}) {
     if (is_of_one_layer && layers.empty()) continue;
     for (const double reach : {0.0, (std::min)(rounding_of_ends(coordinate_size(drawing)), eps), eps}) {
-      joints.join_within(reach, is_of_one_layer);
-      joints.close_within(reach);
+      do {
+        joints.join_within(reach, is_of_one_layer);
+        joints.close_within(reach);
+      } while (joints.join_straight_within(reach, is_of_one_layer));
     }
   }
   Joined_curves result;

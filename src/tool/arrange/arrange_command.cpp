@@ -194,7 +194,7 @@ void draw(std::ostream& out, const Arranged& made) {
       for (const ba::Overlay_side& side : boundary) {
         const std::string path = edge_path(sheet.view, made, side);
         if (path.empty()) continue;
-        out << (is_first ? path : path.substr(path.find_first_of("LQC")));
+        out << (is_first ? path : path.substr(path.find_first_of("LQCA")));
         is_first = false;
       }
       if (!is_first) out << 'Z';

@@ -62,6 +62,15 @@ Operand operand(Query_drawing drawing) { return std::make_shared<const Query_dra
 struct Combined {
   std::vector<Operand> operands;
   ba::Drawn_outline drawn;
+
+  [[nodiscard]] bool y_is_down() const {
+    return std::any_of(operands.begin(), operands.end(), [](const Operand& d) { return !d->flips; });
+  }
+  [[nodiscard]] double unit_in_mm() const {
+    for (const Operand& operand : operands)
+      if (operand->unit_in_mm > 0) return operand->unit_in_mm;
+    return 0;
+  }
 };
 
 Combined combined(const Boolean_words& words, std::vector<Operand> given) {
@@ -87,14 +96,17 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
 }
 
 void write_json(std::ostream& out, const Combined& made, const std::string& operation) {
-  out << "{\"operation\":\"" << operation << "\",\"status\":\"complete\",\"moved\":" << number(made.drawn.moved)
-      << ",\"curves\":[";
+  out << "{\"operation\":\"" << operation << "\",\"status\":\"complete\",\"moved\":" << number(made.drawn.moved) << ','
+      << json_members(made.unit_in_mm(), made.y_is_down()) << "\"curves\":[";
   const char* between_chains = "\n";
   for (std::size_t i = 0; i < made.drawn.outline.chains.size(); ++i) {
     const ba::Outline_chain& chain = made.drawn.outline.chains[i];
     const auto& curve = made.drawn.drawing.curves()[i];
-    out << between_chains << "{\"name\":" << json_string(curve.name)
-        << ",\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
+    const ba::Outline_part& first = chain.parts.front();
+    const Query_drawing& drawn = *made.operands[first.operand];
+    out << between_chains << "{\"name\":" << json_string(drawn.curves->drawing().curves()[first.curve].name) << ','
+        << json_members(drawn.look_of(first.curve)) << "\"type\":\"path\",\"closed\":true,\"orientation\":\""
+        << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
     if (chain.parent) out << *chain.parent;
     else out << "null";
     out << ',';
@@ -116,7 +128,7 @@ void write_closed_path(std::ostream& out, const View& view, const ba::Drawing_2<
   bool is_first = true;
   for (const auto& piece : curve.beziers) {
     const std::string path = curve_path(view, piece);  // begins with "M" and a point
-    out << (is_first ? path : path.substr(path.find_first_of("LQC")));
+    out << (is_first ? path : path.substr(path.find_first_of("LQCA")));
     is_first = false;
   }
   out << 'Z';
@@ -161,11 +173,10 @@ void draw(std::ostream& out, const Combined& made, const std::string& operation)
 // A chain has the name and the look of the curve of its first part.
 Written_drawing written(const Combined& made, const Boolean_words& words) {
   Written_drawing drawing;
-  drawing.y_is_down = std::any_of(made.operands.begin(), made.operands.end(), [](const auto& d) { return !d->flips; });
-  for (const Operand& operand : made.operands) {
+  drawing.y_is_down = made.y_is_down();
+  drawing.unit_in_mm = made.unit_in_mm();
+  for (const Operand& operand : made.operands)
     if (!drawing.page) drawing.page = operand->page;
-    if (drawing.unit_in_mm == 0) drawing.unit_in_mm = operand->unit_in_mm;
-  }
   for (std::size_t i = 0; i < made.drawn.outline.chains.size(); ++i) {
     const ba::Outline_part& part = made.drawn.outline.chains[i].parts.front();
     const Query_drawing& from = *made.operands[part.operand];

@@ -39,6 +39,9 @@ struct Clipped_path {
 struct Clipped {
   Query_drawing curves, region;
   std::vector<Clipped_path> paths;
+
+  [[nodiscard]] bool y_is_down() const { return !(curves.flips && region.flips); }
+  [[nodiscard]] double unit_in_mm() const { return curves.unit_in_mm > 0 ? curves.unit_in_mm : region.unit_in_mm; }
 };
 
 [[nodiscard]] bool goes_on(const ba::Clipped_part& part, const ba::Clipped_part& next) {
@@ -91,13 +94,15 @@ Clipped clipped(const Clip_words& words) {
 }
 
 void write_json(std::ostream& out, const Clipped& made, const std::string& side) {
-  out << "{\"side\":\"" << side << "\",\"status\":\"complete\",\"curves\":[";
+  out << "{\"side\":\"" << side << "\",\"status\":\"complete\"," << json_members(made.unit_in_mm(), made.y_is_down())
+      << "\"curves\":[";
   const char* between_paths = "\n";
   for (const Clipped_path& path : made.paths) {
     const auto& curve = made.curves.curves->drawing().curves()[path.parts.front().curve];
     const bool is_closed = path.parts.front().start == path.parts.back().end;
-    out << between_paths << "{\"name\":" << json_string(curve.name)
-        << ",\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",";
+    out << between_paths << "{\"name\":" << json_string(curve.name) << ','
+        << json_members(made.curves.look_of(path.parts.front().curve))
+        << "\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",";
     write_pieces(out, path.parts.size(), [&](std::size_t i) {
       Json piece = piece_json(path.pieces[i]);
       piece["source"] = source_json(path.parts[i], path.parts[i].curve, curve.name);
@@ -122,8 +127,7 @@ void write_csv(std::ostream& out, const Clipped& made) {
 }
 
 Written_drawing written(const Clipped& made, const Path_words& words) {
-  Written_drawing drawing{!(made.curves.flips && made.region.flips), made.curves.unit_in_mm, made.curves.page};
-  if (drawing.unit_in_mm == 0) drawing.unit_in_mm = made.region.unit_in_mm;
+  Written_drawing drawing{made.y_is_down(), made.unit_in_mm(), made.curves.page};
   for (const Clipped_path& path : made.paths) {
     const std::size_t curve = path.parts.front().curve;
     drawing.curves.push_back(written_path(made.curves.file, made.curves.curves->drawing().curves()[curve].name,

@@ -6,7 +6,9 @@
 
 #include "write_dxf.h"
 
+#include "../../input/Dxf_groups.h"
 #include "../../input/Dxf_units.h"
+#include "../../input/Input_text.h"
 #include "../Commands.h"
 #include "../written/colour_numbers.h"
 
@@ -122,8 +124,8 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& writer, const Layers& layers) {
   writer.tableEnd();
   dxf.writeView(writer);
   dxf.writeUcs(writer);
-  writer.tableAppid(1);
-  dxf.writeAppid(writer, "ACAD");
+  writer.tableAppid(2);
+  for (const char* name : {"ACAD", DXF_NAMES}) dxf.writeAppid(writer, name);
   writer.tableEnd();
   dxf.writeDimStyle(writer, 1, 1, 1, 1, 1);
   writer.table("BLOCK_RECORD", 2, BLOCK_RECORDS);
@@ -150,12 +152,21 @@ struct Entity_target {
   DL_WriterA& writer;
   DL_Attributes attributes;
   double sign;
-  double height;  // z
+  double height;     // z
+  std::string name;  // of the curve, where its layer does not tell it
 };
+
+// DXF has no place for names but extended data of programs.
+void write_name(const Entity_target& target) {
+  constexpr std::size_t LONGEST = 255;
+  if (target.name.empty()) return;
+  target.writer.dxfString(1001, DXF_NAMES);
+  target.writer.dxfString(1000, one_line(target.name, LONGEST));
+}
 
 void write_polyline(const Entity_target& target, const Arc_2* first, const Arc_2* last) {
   constexpr int CLOSED = 1;
-  const auto& [dxf, writer, attributes, sign, height] = target;
+  const auto& [dxf, writer, attributes, sign, height, name] = target;
   const bool is_closed = last[-1].to == first->from;
   const auto vertex = [to = &target](const Xy<double>& p, double bulge) {
     to->dxf.writeVertex(to->writer, DL_VertexData(p.x, to->sign * p.y, 0, to->sign * bulge));
@@ -166,6 +177,7 @@ void write_polyline(const Entity_target& target, const Arc_2* first, const Arc_2
   for (const Arc_2* piece = first; piece != last; ++piece) vertex(piece->from, piece->bulge);
   if (!is_closed) vertex(last[-1].to, 0);
   dxf.writePolylineEnd(writer);
+  write_name(target);
 }
 
 // dxflib has polylines of two dimensions only.
@@ -228,6 +240,7 @@ void write_circle(const Entity_target& target, const Arc_2& half) {
   const Xy<double> center{half.from.x / 2 + half.to.x / 2, half.from.y / 2 + half.to.y / 2};
   target.dxf.writeCircle(target.writer, DL_CircleData(center.x, target.sign * center.y, target.height, radius),
                          target.attributes);
+  write_name(target);
 }
 
 void write_piece(const Entity_target& target, const Arc_2& piece) {
@@ -236,8 +249,10 @@ void write_piece(const Entity_target& target, const Arc_2& piece) {
     target.dxf.writeLine(target.writer,
                          DL_LineData(piece.from.x, sign * piece.from.y, z, piece.to.x, sign * piece.to.y, z),
                          target.attributes);
+    write_name(target);
   } else if (const std::optional<DL_ArcData> arc = arc_of(piece, sign, z)) {
     target.dxf.writeArc(target.writer, *arc, target.attributes);
+    write_name(target);
   } else {
     write_polyline(target, &piece, &piece + 1);
   }
@@ -287,6 +302,7 @@ void write_spline(const Entity_target& target, const Beziers& beziers) {
       writer.dxfReal(20, target.sign * p.y);
       writer.dxfReal(30, target.height);
     }
+  write_name(target);
 }
 
 // Writes the first pieces that make one entity, or entities of arcs, and returns where they end.
@@ -322,7 +338,12 @@ void write_dxf(std::ostream& out, const Written_drawing& drawing, Dxf_entities e
   write_tables(dxf, writer, layers);
   writer.sectionEntities();
   for (const Written_curve& curve : drawing.curves) {
-    const Entity_target target{dxf, writer, attributes_of(curve, layers), drawing.y_is_down ? -1.0 : 1.0, curve.height};
+    const Entity_target target{dxf,
+                               writer,
+                               attributes_of(curve, layers),
+                               drawing.y_is_down ? -1.0 : 1.0,
+                               curve.height,
+                               curve.name == layer_of(curve) ? "" : curve.name};
     if (!curve.heights.empty()) {
       write_polyline_3d(target, curve);
       continue;

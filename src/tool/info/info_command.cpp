@@ -82,6 +82,7 @@ std::vector<std::string> remarks(const Info& info) {
   add(info.read.converted);
   add(text_of(info.read.file.notes));
   add(info.read.joined);
+  add(info.read.ambiguous);
   add(info.read.skipped);
   add(alike_text(info));
   if (info.open.open > 0) add(info.open.text());
@@ -287,7 +288,11 @@ int run_info(const Info_words& words) {
   Info info;
   info.file = name_of_file(words.file);
   info.read = read_file(words.file, words.reading);
-  if (words.reading.is_strict) tell_notes(info.file, info.read.file.notes, words.reading);
+  if (words.reading.is_strict) {
+    if (words.reading.join.empty()) tell_change(info.file, info.read.joined, words.reading);
+    for (const std::string& text : {info.read.ambiguous, text_of(info.read.file.notes)})
+      tell_change(info.file, text, words.reading);
+  }
   if (words.reading.skips_open) skip_open(info.file, info.read);
   info.drawing = ba::drawing<double>(info.read.file.curves);
   info.rule = fill_rule(words.reading.rule, info.read.file.rule);

@@ -6,6 +6,7 @@
 
 #include "write_thickness.h"
 
+#include "../colour_scale.h"
 #include "../number_text.h"
 #include "../svg_paths.h"
 
@@ -21,20 +22,6 @@
 namespace bounding_arcs_tool {
 namespace {
 
-// The colour of a share of the largest thickness: from dark blue for the thinnest to light yellow.
-std::string colour(double share) {
-  constexpr double STOPS[][3] = {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
-  constexpr int LAST = sizeof STOPS / sizeof *STOPS - 1;
-  const double at = LAST * (std::min)((std::max)(share, 0.0), 1.0);
-  const int i = (std::min)(static_cast<int>(at), LAST - 1);
-  char text[16];
-  const auto mix = [&](int c) {
-    return static_cast<int>(std::lround(STOPS[i][c] + (at - i) * (STOPS[i + 1][c] - STOPS[i][c])));
-  };
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", mix(0), mix(1), mix(2));
-  return text;
-}
-
 // The discs of the axis, the largest on top, so that each point has the colour of the largest disc that covers it.
 // Cells below them, each between two discs and the places that they touch, fill what lies between the discs and the
 // curves.
@@ -47,7 +34,7 @@ void draw_discs(std::ostream& out, const Found_thickness& found, const View& vie
       const ba::Medial_sample &a = e.samples[i - 1], &b = e.samples[i];
       discs.push_back({b.radius, b.center});
       const auto foot = [&](const Curve_place& p) { return "L" + view(point_of(found, p)); };
-      const std::string fill = colour((a.radius + b.radius) / 2 / largest);
+      const std::string fill = colour_of_share((a.radius + b.radius) / 2 / largest);
       out << "<path fill=\"" << fill << "\" stroke=\"" << fill << "\" d=\"M" << view(a.center) << foot(a.left)
           << foot(b.left) << "L" << view(b.center) << foot(b.right) << foot(a.right) << "Z\"/>\n";
     }
@@ -56,7 +43,7 @@ void draw_discs(std::ostream& out, const Found_thickness& found, const View& vie
   for (const auto& [radius, center] : discs) {
     const Xy<double> c = view.place(center);
     std::snprintf(text, sizeof text, "<circle cx=\"%.7g\" cy=\"%.7g\" r=\"%.7g\" fill=\"%s\"/>\n", c.x, c.y,
-                  radius * view.scale, colour(radius / largest).c_str());
+                  radius * view.scale, colour_of_share(radius / largest).c_str());
     out << text;
   }
 }
@@ -112,32 +99,15 @@ void draw_unresolved(std::ostream& out, const Found_thickness& found, const View
   }
 }
 
-constexpr double SCALE_ROOM = 60;  // pixels below the drawing
-
 // What the colours mean: thickness from 0 to that of the largest disc, with a mark at the limit.
 void draw_scale(std::ostream& out, const Found_thickness& found, const Sheet& sheet, double largest) {
-  constexpr int STEPS = 100, LABELS = 4;
-  constexpr double HEIGHT = 14, TEXT = 18, OVERLAP = 0.5;  // pixels
-  const double left = Sheet::MARGIN, width = sheet.width - 2 * left, top = sheet.height - HEIGHT;
-  char text[200];
-  for (int i = 0; i < STEPS; ++i) {
-    std::snprintf(text, sizeof text, "<rect x=\"%.4f\" y=\"%.4f\" width=\"%.4f\" height=\"%g\" fill=\"%s\"/>\n",
-                  left + width * i / STEPS, top, width / STEPS + (i + 1 < STEPS ? OVERLAP : 0), HEIGHT,
-                  colour((i + 0.5) / STEPS).c_str());
-    out << text;
-  }
-  for (int i = 0; i <= LABELS; ++i) {
-    std::snprintf(text, sizeof text, "<text class=\"k\" x=\"%.4f\" y=\"%.4f\">%s</text>\n", left + width * i / LABELS,
-                  top + HEIGHT + TEXT, short_number(2 * largest * i / LABELS).c_str());
-    out << text;
-  }
-  const char* const what = found.has_limit() ? "thickness, red where it is below the limit" : "thickness";
-  std::snprintf(text, sizeof text, "<text class=\"k\" x=\"%.4f\" y=\"%.4f\">%s</text>\n", left + width / 2,
-                top + HEIGHT + 2 * TEXT, what);
-  out << text;
+  const Colour_scale scale(sheet);
+  scale.draw(out, 2 * largest, found.has_limit() ? "thickness, red where it is below the limit" : "thickness");
   if (!found.has_limit() || found.below > 2 * largest) return;
-  const double at = left + width * found.below / (2 * largest);
-  std::snprintf(text, sizeof text, "<path class=\"l\" d=\"M%.4f %.4fv%g\"/>\n", at, top - HEIGHT / 2, 2 * HEIGHT);
+  char text[200];
+  std::snprintf(text, sizeof text, "<path class=\"l\" d=\"M%.4f %.4fv%g\"/>\n",
+                scale.place(found.below / (2 * largest)), scale.top() - Colour_scale::HEIGHT / 2,
+                2 * Colour_scale::HEIGHT);
   out << text;
 }
 
@@ -148,7 +118,7 @@ void draw_thickness(std::ostream& out, const Found_thickness& found) {
   Box box;
   box.add({all.xmin(), all.ymin()}), box.add({all.xmax(), all.ymax()});
   const Sheet sheet(box, found.loaded.flips);
-  const double largest = found.thickest ? found.thickest->radius : 1, height = sheet.height + SCALE_ROOM;
+  const double largest = found.thickest ? found.thickest->radius : 1, height = sheet.height + Colour_scale::ROOM;
   char text[1200];
   const std::string title = title_of(found, largest);
   std::snprintf(text, sizeof text,
@@ -157,9 +127,10 @@ void draw_thickness(std::ostream& out, const Found_thickness& found) {
                 ".t{fill:none;stroke:#d00000;stroke-width:5;stroke-linecap:round;stroke-linejoin:round}\n"
                 ".n{fill:none;stroke:#d55e00;stroke-width:3;stroke-linecap:round}\n"
                 ".u{fill:none;stroke:#d55e00;stroke-width:2}.l{stroke:#d00000;stroke-width:3}\n"
-                "text{font-family:sans-serif;font-size:20px;fill:#333}.k{font-size:14px;text-anchor:middle}</style>\n"
+                "text{font-family:sans-serif;font-size:20px;fill:#333}%s</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<text x=\"%.0f\" y=\"36\">%s</text>\n",
-                sheet.width, height, sheet.width, height, title.c_str(), Sheet::MARGIN, title.c_str());
+                sheet.width, height, sheet.width, height, title.c_str(), Colour_scale::STYLE, Sheet::MARGIN,
+                title.c_str());
   out << text;
   draw_discs(out, found, sheet.view, largest);
   draw_curves(out, found, sheet.view);

@@ -237,9 +237,16 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->check(number_in(1, 179));
   command
       ->add_option("--max-depth", words.max_depth,
-                   "How deep the bit may go, in units of the coordinates, for dxf, csv and gcode: what is wider has a\n"
-                   "flat bottom there, whose outline is written as a pocket")
+                   "How deep the bit may go, in units of the coordinates, for dxf, csv, svg and gcode: what is wider\n"
+                   "has a flat bottom there, whose outline is written as a pocket")
       ->check(CLI::Validator(check_tolerance, "", "depth"))
+      ->type_name("NUMBER");
+  command
+      ->add_option("--flat-tool", words.flat_tool,
+                   "The diameter of a flat tool that clears flat bottoms, in units of the coordinates: passes half of\n"
+                   "that apart. They are added to dxf, csv and svg; gcode, which is of one tool, has them alone.\n"
+                   "Without it pockets are outlines only")
+      ->check(CLI::Validator(check_tolerance, "", "diameter"))
       ->type_name("NUMBER");
   add_output(*command, {"json", "csv", "svg", "dxf", "gcode"}, words.format, words.output);
   add_plain(*command, words.is_plain);
@@ -278,9 +285,10 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "A curve whose sides the rule fills both bounds nothing: \"left_out\" has its number among the curves.\n"
       "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
       "(V-carving).\n"
-      "G-code, and CSV and DXF with --v-bit, have the axis as few long paths with z: part by part, each from its\n"
-      "longest branch on, then what starts nearest to the bit. Behind them come pockets, the outlines of what is flat\n"
-      "at --max-depth, islands first, inside out: what they enclose is left to be cleared. Depths are within eps.\n"
+      "G-code, and CSV, DXF and SVG with --v-bit, have the axis as few long paths with z: part by part, each from its\n"
+      "longest branch on, then what starts nearest to the bit. A path begins at its upper end, or where the bit is:\n"
+      "between two flat bottoms it plunges. Behind them come pockets, the outlines of what is flat at --max-depth,\n"
+      "islands first, inside out: what they enclose is left to be cleared, by --flat-tool. Depths are within eps.\n"
       "Where discs cannot be told apart a part of the axis is left out: \"status\" is then \"unresolved\", "
       "\"unresolved\"\n"
       "tells the places, pictures have circles there, and the exit status is 1.\n"
@@ -290,7 +298,10 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
       "  bounding_arcs medial-axis part.dxf --eps 0.01 --conics -o axis.dxf\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 -o carving.json\n"
+      "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 -o carving.svg\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 --feed 600 -o carving.nc\n"
+      "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 --max-depth 3 --flat-tool 2 --feed 600 -o "
+      "flat.nc\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
 }
@@ -332,7 +343,8 @@ namespace {
 void check_carving(const Medial_axis_words& words, bool is_carving) {
   if (words.max_depth > 0 && words.v_bit == 0) throw Usage_error("--max-depth", "--v-bit beside it", "none");
   if (words.max_depth > 0 && !is_carving)
-    throw Usage_error("--format", "dxf, csv or gcode with --max-depth", words.format);
+    throw Usage_error("--format", "dxf, csv, svg or gcode with --max-depth", words.format);
+  if (words.flat_tool > 0 && words.max_depth == 0) throw Usage_error("--flat-tool", "--max-depth beside it", "none");
   if (words.max_depth > 0 && words.is_framed) throw Usage_error("--max-depth", "no frame beside it", "--frame");
   if (is_carving && words.with_conics) throw Usage_error("--conics", "no path of a tool beside it", words.format);
   if (words.format != "gcode") return;
@@ -354,6 +366,7 @@ void write_carving(const Medial_axis_words& words, std::ostream& out, const V_ca
                    const Query_drawing& loaded) {
   if (words.format == "csv") write_carving_csv(out, carving);
   else if (words.format == "dxf") write_dxf(out, written_carving(carving, !loaded.flips, loaded.unit_in_mm));
+  else if (words.format == "svg") draw_carving(out, carving, loaded.curves->drawing(), loaded.flips);
   else write_carving_gcode(out, loaded.file, carving, gcode_setup(words.gcode, loaded.unit(), !loaded.flips));
 }
 
@@ -363,11 +376,14 @@ int run_carving(const Medial_axis_words& words) {
   const Query_drawing loaded = load_axis_drawing(finer);
   if (words.format == "dxf") tell_units_of_dxf(loaded.unit());
   const Found_axis axis = shown_axis_of(loaded, finer);
-  const V_carving carving = v_carving(*loaded.curves, axis.axis, bit, loaded.file);
+  const V_carving carving = v_carving(*loaded.curves, axis.axis, bit, words.flat_tool, loaded.file);
+  if (words.flat_tool > 0 && carving.flats.empty())
+    throw Input_error(loaded.file, "--flat-tool",
+                      "expected a diameter that has room in what is flat, found " + number(words.flat_tool));
   Output_file output(words.output);
   write_carving(words, output.stream(), carving, loaded);
   output.commit();
-  if (!carving.pockets.empty())
+  if (!carving.pockets.empty() && carving.flats.empty())
     tell(loaded.file, count_text(carving.pockets.size(), "outline") + " of flat bottoms at the depth " +
                           number(words.max_depth) + ", the inset at " + short_number(bit.largest()) +
                           ": what they enclose is left to be cleared");
@@ -378,7 +394,8 @@ int run_carving(const Medial_axis_words& words) {
 
 int run_medial_axis(const Medial_axis_words& words) {
   const bool is_table_or_dxf = words.format == "csv" || words.format == "dxf";
-  const bool is_carving = words.format == "gcode" || (is_table_or_dxf && words.v_bit > 0);
+  const bool is_picture = words.format == "svg" && !words.is_plain && !words.is_framed;
+  const bool is_carving = words.format == "gcode" || ((is_table_or_dxf || is_picture) && words.v_bit > 0);
   check_carving(words, is_carving);
   check_plain(words.is_plain, words.format);
   if (is_carving) return run_carving(words);

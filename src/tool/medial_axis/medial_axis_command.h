@@ -26,6 +26,7 @@ struct Medial_axis_words {
   double prune = 0, prune_angle = 0;
   double v_bit = 0;      ///< the angle of a conical bit, in degrees; 0 for none
   double max_depth = 0;  ///< of the bit; 0 for any
+  double flat_tool = 0;  ///< the diameter of another tool for what is flat; 0 for none
   double margin = 0;     ///< of the frame; 0 for a default
   bool is_framed = false;
   bool with_discs = false, with_feet = false, with_cells = false, with_conics = false;

@@ -111,8 +111,8 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
 }
 
 void write_json(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::Drawing_2<double>& drawing,
-                double eps) {
-  out << "{\"eps\":" << number(eps) << ",\"offsets\":[";
+                double eps, const std::string& members = "") {
+  out << "{\"eps\":" << number(eps) << ',' << members << "\"offsets\":[";
   const char* between_offsets = "\n";
   for (const ba::Offset& offset : offsets) {
     out << between_offsets << "{\"distance\":" << number(offset.distance) << ",\"error\":" << number(offset.error)
@@ -252,10 +252,15 @@ Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_inp
   return drawing;
 }
 
-// Ends that meet are those of an outline, as a rule, which is not what is offset.
-void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing) {
+// Ends that meet are those of an outline, as a rule, which is not what is offset; an open curve among closed ones may
+// be a note.
+void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing, const Reading_words& words) {
   const Loose_ends ends = loose_ends(drawing);
-  if (ends.meet()) tell(file, ends.text());
+  if (ends.gaps > 0) tell_change(file, ends.text(), words);
+  else if (ends.open > 0 && ends.open < drawing.curves().size())
+    tell_change(file,
+                "taken for open: " + ends.text() + "; --skip-open leaves " + (ends.open == 1 ? "it" : "them") + " out",
+                words);
 }
 
 ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<double>& drawing, double eps,
@@ -362,7 +367,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
 
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
-  tell_loose_ends(loaded.file, loaded.curves->drawing());
+  tell_loose_ends(loaded.file, loaded.curves->drawing(), words.reading);
   const std::vector<ba::Offset> offsets = offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, false);
   for (const ba::Offset& offset : offsets) {
     outlines.push_back({offset.distance, {}});
@@ -390,13 +395,14 @@ int run_offset(const Offset_words& words) {
   }
   const Offset_input input = offset_input(words);
   const ba::Drawing_2<double>& drawing = input.drawing;
-  tell_loose_ends(input.file, drawing);
+  tell_loose_ends(input.file, drawing, words.reading);
   if (words.format == "dxf") tell_units_of_dxf({input.file, input.unit_in_mm});
   const Gcode_setup setup =
       is_gcode ? gcode_setup(words.gcode, {input.file, input.unit_in_mm}, !input.flips) : Gcode_setup{};
   const std::vector<ba::Offset> offsets = offsets_of(words, input.file, drawing, input.rule, false);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
+  if (words.format == "json")
+    write_json(output.stream(), offsets, drawing, eps, json_members(input.unit_in_mm, !input.flips));
   else if (words.format == "dxf") write_dxf(output.stream(), written(offsets, input), dxf_entities(words.dxf));
   else if (words.is_plain) write_plain_svg(output.stream(), written(offsets, input));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);

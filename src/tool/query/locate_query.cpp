@@ -21,7 +21,7 @@ void check_closed(const Query_drawing& drawing, const std::string& more) {
     const Loose_ends ends = loose_ends(drawing.curves->drawing());
     throw Input_error(drawing.file, "curve \"" + curve.name + "\"",
                       "expected a closed curve, which has an inside, found an open one" +
-                          (ends.meet() ? "; the file has " + ends.text() : "") + more);
+                          (ends.gaps > 0 ? "; the file has " + ends.text() : "") + more);
   }
 }
 

@@ -131,7 +131,7 @@ bool answer_line(const Line& line, const Record_answer& answer, std::string& out
     if (finder.is_wrong()) return refuse("id: " + std::string(WRONG_ID));
     One_line_buffer buffer(out);
     std::ostream document(&buffer);
-    answer(read_json_curves(line.text, RECORD_NAME, NAMELESS), document);
+    answer(read_json_curves(line.text, RECORD_NAME, NAMELESS).curves, document);
     if (!id.empty()) out.insert(start + 1, "\"id\":" + id + ',');
     out += '\n';
     return true;

@@ -86,6 +86,7 @@ class Starts {
   struct Start {
     Xy<double> point;
     std::size_t pass, joint;  // of an open one its start is joint 0, and its end 1
+    bool is_deep = false;     // the other end of the pass is higher: the tool starts here if it is there already
     bool operator<(const Start& other) const {
       return std::tie(point.x, point.y, pass, joint) < std::tie(other.point.x, other.point.y, other.pass, other.joint);
     }
@@ -93,7 +94,10 @@ class Starts {
 
   [[nodiscard]] std::vector<Start> starts_of(std::size_t number) const {
     const Tool_pass& pass = passes_[number];
-    if (!pass.is_closed()) return {{pass.from(), number, 0}, {pass.to(), number, 1}};
+    if (!pass.is_closed()) {
+      const double rise = pass.height_at(pass.pieces.size()) - pass.height_at(0);
+      return {{pass.from(), number, 0, rise > 0}, {pass.to(), number, 1, rise < 0}};
+    }
     std::vector<Start> result;
     for (const Arc_2& piece : pass.pieces) result.push_back({piece.from, number, result.size()});
     return result;
@@ -104,6 +108,7 @@ class Starts {
     const auto is_nearer = [&](const Start& s) {  // false where none behind it is, either
       if (std::fabs(s.point.x - place.x) > least) return false;
       const double d = std::hypot(s.point.x - place.x, s.point.y - place.y);
+      if (s.is_deep && d > 0) return true;
       const auto rank = [](const Start& start) { return std::tie(start.pass, start.joint); };
       if (best == nullptr || d < least || (d == least && rank(s) < rank(*best))) {
         least = d;

@@ -22,7 +22,8 @@ namespace bounding_arcs_tool {
 
 /// Returns passes such that each comes before all that are around it: islands first, inside out. Among those that may
 /// come next it is the one that starts nearest to where the tool is. Closed passes start at the joint of pieces that is
-/// nearest, and keep their direction; others start at either end.
+/// nearest, and keep their direction; others start at either end. Where these differ in height it is the upper one, but
+/// where the tool is at the lower one: it plunges no deeper than it has to.
 /// \param from where the tool is at first
 /// \guarantee heuristic: no order with less way through the air is looked for; the same passes give the same order
 /// \complexity n log n in the joints, beside passes_around

@@ -6,6 +6,7 @@
 
 #include "../Commands.h"
 #include "../number_text.h"
+#include "../usage.h"
 #include "order_passes.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_branches.h>
@@ -42,41 +43,45 @@ std::vector<Tool_pass> branches_of(const ba::Medial_axis_2& axis, const V_bit& b
   return group_by_group(passes, parts);
 }
 
-ba::Offset inset_at(const ba::Bounding_arc_tree_2& tree, double radius, double eps, const ba::Offset_options& options,
-                    const std::string& file) {
-  try {
-    return ba::offset(tree, -radius, eps, options);
-  } catch (const std::invalid_argument& error) {
-    throw Input_error(file, "offset", error.what());
-  }
+double largest_radius(const ba::Medial_axis_2& axis) {
+  double largest = 0;
+  for (const ba::Medial_vertex& v : axis.vertices) largest = (std::max)(largest, v.radius);
+  for (const ba::Medial_edge& e : axis.edges)
+    for (const ba::Medial_sample& s : e.samples) largest = (std::max)(largest, s.radius);
+  return largest;
 }
 
-std::vector<Tool_pass> pockets_of(const ba::Bounding_arc_tree_2& tree, const ba::Medial_axis_2& axis, const V_bit& bit,
-                                  const std::string& file) {
-  const double radius = bit.largest();
-  const auto is_deeper = [&](const ba::Medial_vertex& v) { return v.radius > radius; };
-  const bool has_deeper =
-      std::any_of(axis.vertices.begin(), axis.vertices.end(), is_deeper) ||
-      std::any_of(axis.edges.begin(), axis.edges.end(), [&](const ba::Medial_edge& e) {
-        return std::any_of(e.samples.begin(), e.samples.end(), [&](const auto& s) { return s.radius > radius; });
-      });
-  if (!has_deeper) return {};
+void add_bottoms(V_carving& carving, const ba::Bounding_arc_tree_2& tree, const ba::Medial_axis_2& axis,
+                 const V_bit& bit, double flat, const std::string& file) {
+  constexpr double MOST = 1e4;  // passes within each other: some minutes of work
+  const double radius = bit.largest(), largest = largest_radius(axis);
+  if (!(largest > radius)) return;
+  if (flat > 0 && (largest - radius) / (flat / 2) > MOST)
+    throw Usage_error("--flat-tool", "a diameter that clears what is flat in 10000 passes", number(flat));
   ba::Offset_options options;
   options.rule = axis.options.rule;
   const std::string place = "--max-depth " + number(bit.most);
-  const ba::Offset inset = inset_at(tree, radius, axis.eps, options, file);
-  if (inset.status == ba::Offset_status::RESOLUTION_REACHED)
-    throw Input_error(file, place, below_resolution(axis.eps, inset.error));
-  if (inset.status == ba::Offset_status::UNRESOLVED)
-    throw Input_error(file, place,
-                      "at distance " + number(-radius) +
-                          " its parts touch in a way that cannot be told apart; change the depth a little");
-  std::vector<Tool_pass> passes;
-  for (const ba::Offset_chain& chain : inset.chains) {
-    passes.push_back({"pocket", {}, -bit.most});
-    for (const ba::Offset_piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
+  try {
+    const ba::Offset_source_2 source(tree, axis.eps, options);
+    const auto add_inset = [&](std::vector<Tool_pass>& passes, const char* title, double r) {
+      const ba::Offset inset = source.at(-r);
+      if (inset.status == ba::Offset_status::RESOLUTION_REACHED)
+        throw Input_error(file, place, below_resolution(axis.eps, inset.error));
+      if (inset.status == ba::Offset_status::UNRESOLVED)
+        throw Input_error(file, place,
+                          "at distance " + number(-r) +
+                              " its parts touch in a way that cannot be told apart; change the depth a little");
+      for (const ba::Offset_chain& chain : inset.chains) {
+        passes.push_back({title, {}, -bit.most});
+        for (const ba::Offset_piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
+      }
+    };
+    add_inset(carving.pockets, "pocket", radius);
+    for (double within = flat / 2; flat > 0 && radius + within < largest; within += flat / 2)
+      add_inset(carving.flats, "flat", radius + within);
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(file, "offset", error.what());
   }
-  return passes;
 }
 
 }  // namespace
@@ -89,10 +94,18 @@ V_bit v_bit(double angle, double most) {
   return bit;
 }
 
-V_carving v_carving(const ba::Bounding_arc_tree_2& tree, const ba::Medial_axis_2& axis, const V_bit& bit,
+std::vector<Tool_pass> V_carving::of_bit() const {
+  std::vector<Tool_pass> passes = branches;
+  passes.insert(passes.end(), pockets.begin(), pockets.end());
+  return passes;
+}
+
+V_carving v_carving(const ba::Bounding_arc_tree_2& tree, const ba::Medial_axis_2& axis, const V_bit& bit, double flat,
                     const std::string& file) {
-  V_carving carving{branches_of(axis, bit), pockets_of(tree, axis, bit, file)};
+  V_carving carving{branches_of(axis, bit), {}, {}};
+  add_bottoms(carving, tree, axis, bit, flat, file);
   carving.pockets = inside_out(carving.pockets, carving.branches.empty() ? Xy<double>{} : carving.branches.back().to());
+  carving.flats = inside_out(carving.flats);
   return carving;
 }
 

@@ -34,17 +34,23 @@ struct V_bit {
 struct V_carving {
   std::vector<Tool_pass> branches;  ///< along the axis, with heights
   std::vector<Tool_pass> pockets;  ///< outlines of flat bottoms: where the axis has larger discs than the bit may touch
+  std::vector<Tool_pass> flats;    ///< of another tool, which clears what they enclose
+
+  /// All passes of the bit, in their order.
+  [[nodiscard]] std::vector<Tool_pass> of_bit() const;
 };
 
 /// Returns the branches of an axis in the order in which they are cut: part by part, each from its longest branch on;
 /// then what starts nearest to the bit. Pockets come islands first, inside out.
 /// \param tree what the axis is of
+/// \param flat the diameter of a flat tool for what is flat, or 0: passes half of it apart, the first one half of it
+///   within the outlines
 /// \param file its name in messages
 /// \guarantee depths are within axis.eps times bit.depth of those at which the bit touches, and so are the outlines of
 ///   pockets
 /// \throws Input_error where there is no such inset
 [[nodiscard]] V_carving v_carving(const CGAL::Bounding_arcs::Bounding_arc_tree_2& tree,
-                                  const CGAL::Bounding_arcs::Medial_axis_2& axis, const V_bit& bit,
+                                  const CGAL::Bounding_arcs::Medial_axis_2& axis, const V_bit& bit, double flat,
                                   const std::string& file);
 
 }  // namespace bounding_arcs_tool

@@ -4,8 +4,13 @@
 
 #include "Written_drawing.h"
 
+#include "../number_text.h"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace bounding_arcs_tool {
 
@@ -46,9 +51,35 @@ bool is_parabola(const Conic& conic) {
   return std::fabs(conic.w - 1) * std::hypot(height.x, height.y) <= ROUNDING * std::hypot(side.x, side.y);
 }
 
-// The arc that two arcs are, if they are of one circle and half of it at most. Cut where readers cut arcs, they become
-// what they were.
-std::optional<ba::Arc_2> joined(const ba::Arc_2& a, const ba::Arc_2& b) {
+}  // namespace
+
+Curve_look look_of(const ba::Curve_record& record) { return {record.layer, record.colour}; }
+
+std::string json_members(const Curve_look& look) {
+  std::string text = look.layer.empty() ? "" : "\"layer\":" + nlohmann::json(look.layer).dump() + ",";
+  char rgb[16];
+  std::snprintf(rgb, sizeof rgb, "\"#%06x\"", static_cast<unsigned>(look.colour.rgb));
+  if (look.colour.rgb >= 0) text += std::string("\"colour\":") + rgb + ",";
+  else if (look.colour.number > 0) text += "\"colour\":" + std::to_string(look.colour.number) + ",";
+  return text;
+}
+
+std::string json_members(double unit_in_mm, bool y_is_down) {
+  return (unit_in_mm > 0 ? "\"unit_in_mm\":" + number(unit_in_mm) + "," : "") +
+         (y_is_down ? "\"y_is_down\":true," : "");
+}
+
+ba::Xy<double> start_of(const Written_piece& piece) {
+  const auto* const arc = std::get_if<ba::Arc_2>(&piece);
+  return arc != nullptr ? arc->from : std::get<1>(piece).control_points().front();
+}
+
+ba::Xy<double> end_of(const Written_piece& piece) {
+  const auto* const arc = std::get_if<ba::Arc_2>(&piece);
+  return arc != nullptr ? arc->to : std::get<1>(piece).control_points().back();
+}
+
+std::optional<ba::Arc_2> arc_of_both(const ba::Arc_2& a, const ba::Arc_2& b) {
   if (!(a.bulge * b.bulge > 0) || a.to != b.from) return std::nullopt;
   double bulge = std::tan(std::atan(a.bulge) + std::atan(b.bulge));
   if (std::fabs(std::fabs(bulge) - 1) < ROUNDING) bulge = std::copysign(1, bulge);
@@ -68,20 +99,6 @@ std::optional<ba::Arc_2> joined(const ba::Arc_2& a, const ba::Arc_2& b) {
   return is_one ? std::optional(both) : std::nullopt;
 }
 
-}  // namespace
-
-Curve_look look_of(const ba::Curve_record& record) { return {record.layer, record.colour}; }
-
-ba::Xy<double> start_of(const Written_piece& piece) {
-  const auto* const arc = std::get_if<ba::Arc_2>(&piece);
-  return arc != nullptr ? arc->from : std::get<1>(piece).control_points().front();
-}
-
-ba::Xy<double> end_of(const Written_piece& piece) {
-  const auto* const arc = std::get_if<ba::Arc_2>(&piece);
-  return arc != nullptr ? arc->to : std::get<1>(piece).control_points().back();
-}
-
 Written_piece written_piece(const ba::Bezier_curve_2<double>& curve) {
   const auto& p = curve.control_points();
   if (curve.degree() == 1) return ba::Arc_2{p.front(), p.back(), 0};
@@ -98,7 +115,7 @@ Written_piece written_piece(const ba::Bezier_curve_2<double>& curve) {
 void add_piece(std::vector<Written_piece>& pieces, const Written_piece& piece) {
   auto* const before = pieces.empty() ? nullptr : std::get_if<ba::Arc_2>(&pieces.back());
   const auto* const arc = std::get_if<ba::Arc_2>(&piece);
-  const std::optional<ba::Arc_2> both = before != nullptr && arc != nullptr ? joined(*before, *arc) : std::nullopt;
+  const std::optional<ba::Arc_2> both = before != nullptr && arc != nullptr ? arc_of_both(*before, *arc) : std::nullopt;
   if (both) *before = *both;
   else pieces.push_back(piece);
 }

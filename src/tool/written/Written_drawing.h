@@ -24,6 +24,10 @@ struct Curve_look {
   CGAL::Bounding_arcs::Curve_colour colour;
 };
 [[nodiscard]] Curve_look look_of(const CGAL::Bounding_arcs::Curve_record& record);
+/// The look as members of a JSON object, a comma behind each: "layer" and "colour", where there are any.
+[[nodiscard]] std::string json_members(const Curve_look& look);
+/// The unit and direction of y of a drawing, likewise: "unit_in_mm" and "y_is_down".
+[[nodiscard]] std::string json_members(double unit_in_mm, bool y_is_down);
 
 using Written_piece = std::variant<CGAL::Bounding_arcs::Arc_2, CGAL::Bounding_arcs::Bezier_curve_2<double>>;
 [[nodiscard]] CGAL::Bounding_arcs::Xy<double> start_of(const Written_piece& piece);
@@ -40,6 +44,11 @@ struct Written_curve {
   double height = 0;                 ///< z of all pieces, where `heights` has none
   std::vector<double> heights = {};  ///< z of each vertex of segments that follow each other: one more than pieces
 };
+/// The arc that two arcs are, the second behind the first: none where they are of two circles, or more than half of
+/// one.
+/// \guarantee the way moves by at most 2^-44 of the arc's chord
+[[nodiscard]] std::optional<CGAL::Bounding_arcs::Arc_2> arc_of_both(const CGAL::Bounding_arcs::Arc_2& a,
+                                                                    const CGAL::Bounding_arcs::Arc_2& b);
 /// Appends a piece. Arcs of one circle that follow each other become one, up to half of it: readers and approximations
 /// cut them.
 void add_piece(std::vector<Written_piece>& pieces, const Written_piece& piece);

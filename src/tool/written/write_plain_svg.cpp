@@ -31,7 +31,7 @@ using Bezier = ba::Bezier_curve_2<double>;
 double middle_weight(const Bezier& conic) { return conic.weight(1) / std::sqrt(conic.weight(0) * conic.weight(2)); }
 
 // What bulges leave of a radius has one digit less than a double.
-double rounded(double radius) {
+double rounded_radius(double radius) {
   char text[40];
   std::snprintf(text, sizeof text, "%.15g", radius);
   return std::strtod(text, nullptr);
@@ -40,7 +40,8 @@ double rounded(double radius) {
 // The way of pieces as the data of a path.
 class Path_data {
  public:
-  explicit Path_data(bool y_is_down) : y_is_down_(y_is_down) {}
+  /// \param steps of a unit that numbers are rounded to; 0 where all digits count
+  explicit Path_data(bool y_is_down, double steps = 0) : y_is_down_(y_is_down), steps_(steps) {}
 
   void add(const Written_piece* first, const Written_piece* last) {
     text_ += (text_.empty() ? "M" : " M") + point(start_of(*first));
@@ -54,7 +55,10 @@ class Path_data {
 
  private:
   [[nodiscard]] std::string point(const Xy<double>& p) const {
-    return number(0 + p.x) + " " + number(y_is_down_ ? 0 + p.y : 0 - p.y);  // no -0
+    return shown(0 + p.x) + " " + shown(y_is_down_ ? 0 + p.y : 0 - p.y);  // no -0
+  }
+  [[nodiscard]] std::string shown(double x) const {
+    return number(steps_ > 0 ? std::round(x * steps_) / steps_ + 0 : x);
   }
 
   void add(const Arc_2& arc) {
@@ -75,7 +79,7 @@ class Path_data {
       add({middle_point, arc.to, bulge});
     } else {
       const double half = std::hypot(arc.to.x - arc.from.x, arc.to.y - arc.from.y) / 2;
-      double radius = rounded(half * (1 + b * b) / (2 * b));
+      double radius = rounded_radius(half * (1 + b * b) / (2 * b));
       // Readers widen a circle that does not reach the ends, so that half a circle comes out as one.
       while (b == 1 && std::hypot((arc.to.x - arc.from.x) / 2 / radius, (arc.to.y - arc.from.y) / 2 / radius) < 1)
         radius = std::nextafter(radius, 0);
@@ -85,7 +89,7 @@ class Path_data {
 
   // In the plane of the drawing counterclockwise is SVG's sweep 1 where y is downwards.
   void add_arc(double rx, double ry, double degrees, bool is_ccw, const Xy<double>& to) {
-    text_ += " A" + number(rx) + " " + number(ry) + " " + number(y_is_down_ ? 0 + degrees : 0 - degrees) + " 0 " +
+    text_ += " A" + shown(rx) + " " + shown(ry) + " " + number(y_is_down_ ? 0 + degrees : 0 - degrees) + " 0 " +
              (is_ccw == y_is_down_ ? "1 " : "0 ") + point(to);
   }
 
@@ -107,10 +111,11 @@ class Path_data {
     const double q = std::hypot(e, h), r = std::hypot(f, g);
     constexpr double DEGREES = 57.295779513082320877;
     const double turn = r == 0 ? 0 : (std::atan2(g, f) + std::atan2(h, e)) / 2 * DEGREES;
-    add_arc(rounded(q + r), rounded(std::fabs(q - r)), turn, cross(u, v) > 0, p[2]);
+    add_arc(rounded_radius(q + r), rounded_radius(std::fabs(q - r)), turn, cross(u, v) > 0, p[2]);
   }
 
   bool y_is_down_;
+  double steps_;
   std::string text_;
 };
 
@@ -179,6 +184,23 @@ bool is_of_svg(const Written_piece& piece) {
   if (!curve->is_rational()) return curve->degree() <= LARGEST_DEGREE;
   constexpr double FLATTEST = 0x1p-29;  // flatter ones are parabolas, but for rounding; of others few digits are left
   return curve->degree() == 2 && middle_weight(*curve) < 1 - FLATTEST;
+}
+
+std::string curve_path(const View& view, const Bezier& curve) {
+  constexpr int SAMPLES = 64;
+  constexpr double STEPS = 1e9;  // of a pixel: twelve digits of a picture that is a thousand pixels wide
+  std::vector<Xy<double>> places;
+  for (const Xy<double>& p : curve.control_points()) places.push_back(view.place(p));
+  std::vector<Written_piece> pieces{written_piece(Bezier(std::move(places), curve.weights()))};
+  if (!is_of_svg(pieces.front())) {
+    pieces.clear();
+    for (int i = 0; i < SAMPLES; ++i)
+      pieces.emplace_back(
+          Arc_2{view.place(curve.point(i / double(SAMPLES))), view.place(curve.point((i + 1) / double(SAMPLES))), 0});
+  }
+  Path_data data(true, STEPS);
+  data.add(pieces.data(), pieces.data() + pieces.size());
+  return data.text();
 }
 
 void write_plain_svg(std::ostream& out, const Written_drawing& drawing) {

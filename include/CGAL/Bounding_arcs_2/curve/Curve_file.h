@@ -105,7 +105,8 @@ struct Reading_note {
 struct Reading_options {
   bool with_hidden = false;  ///< entities that are invisible or not displayed, or on layers that are off or frozen
   bool with_paper = false;   ///< entities in paper space: frames and titles of sheets
-  std::optional<Fill_rule> rule = {};  ///< what closed curves enclose, whatever the file says
+  std::optional<Fill_rule> rule = {};    ///< what closed curves enclose, whatever the file says
+  std::vector<std::string> layers = {};  ///< of DXF, in any case of letters: notes tell of these alone; of all if empty
 };
 
 /// The part of the plane that an SVG file shows, and how large.

@@ -5,7 +5,7 @@
 // Joins open curves whose ends meet to chains and loops: outlines that are drawn as loose lines and arcs get an inside.
 //
 //   line1 ------. .-- arc2         ends at most eps apart, and no third one beside them: one place
-//               ' '                where more than two meet, none is joined
+//               ' '                where more than two meet: those two that go on straight
 //                |
 
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_JOIN_CURVES_H
@@ -36,15 +36,16 @@ struct Joined_curves {
   std::vector<std::size_t> joined;              ///< the numbers of its curves that were joined or closed
   std::size_t joints = 0;                       ///< how many pairs of ends became one
   double moved = 0;                             ///< how far an end was moved at most
-  std::vector<Xy<double>> crowded;              ///< places where ends were left apart, as more than two meet
+  std::vector<Xy<double>> crowded;              ///< places where more than two ends were left apart: ambiguous
 };
 
-/// Joins open curves to chains and loops where exactly two ends meet.
+/// Joins open curves to chains and loops where exactly two ends meet, or two of several go on straight.
 ///
 /// Two ends meet if they are at most eps apart. They are joined if no third end meets one of them. Ends that are the
 /// same go first, then those that rounding parts (2^-40 of the largest coordinate), then those within eps. What was
-/// joined counts no more. A chain whose own two ends meet is closed, whatever else ends there. Where layers are told,
-/// all this is done first with ends of one layer.
+/// joined counts no more. A chain whose own two ends meet is closed, whatever else ends there. Where more than two are
+/// left then, two are joined that go on straight: within 0.9 degrees, by however much ends were moved, and no third one
+/// within 3.6 degrees. Where layers are told, all this is done first with ends of one layer.
 ///
 /// * A joined curve has the name and the direction of the first of its parts; a loop begins with it. Other parts are
 ///   reversed where they have to be.
