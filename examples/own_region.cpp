@@ -53,8 +53,6 @@ struct Empty : Tangent_triangle {
 
 template <class Construction> const char* verdict(const Spiral& s) {
   constexpr double ROUNDING = 1e-12;  // of a thickness in doubles
-  const auto outline = Construction::boundary(s.frame<double>(s.first(), s.last()));
-  if (outline.inner.empty() || outline.outer.empty()) return "has no boundary";
   if (!verify_region<Construction>(s, s.first(), s.last()).holds()) return "does not hold the curve";
   const double told = Construction::thickness(s.shape<double>(s.first(), s.last()));
   return verify_thickness<Construction>(s, s.first(), s.last(), told * (1 + ROUNDING)) ? "is right" : "is thicker";

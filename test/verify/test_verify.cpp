@@ -4,9 +4,11 @@
 //
 // Proofs: intervals and signs that they rest on, regions that are proven, and wrong ones that are not.
 
+#include "Sagitta.h"
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/study/boxes_and_hulls.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <gtest/gtest.h>
@@ -284,6 +286,54 @@ TEST(VerifyRegion, DisprovesALineThatLeavesItsEnds) {
   const auto shared = std::make_shared<const Tabulated_bezier<double>>(fold);
   const Bezier_spiral_2<double> all(shared, 0, 1, {}, true);
   EXPECT_FALSE(is_proven(verify_region<Bca>(all, 0, 1, 0.1)));
+}
+
+// Constructions of one's own that are no regions, or others than BCAs.
+struct No_edges : study::Oriented_box {
+  template <class NT> static Region_outline_2<NT> boundary(const Chord_frame_2<NT>&) {
+    return {{}, {}, Outline_form::POLYGON};
+  }
+};
+struct One_side : study::Oriented_box {
+  template <class NT> static Region_outline_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    auto outline = study::Oriented_box::boundary(frame);
+    outline.inner.clear();
+    return outline;
+  }
+};
+struct Open_side : study::Oriented_box {
+  template <class NT> static Region_outline_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    auto outline = study::Oriented_box::boundary(frame);
+    outline.outer.pop_back();
+    return outline;
+  }
+};
+struct Flat_sagitta : bounding_arcs_test::Sagitta {  // its arc is the chord, too
+  template <class NT> static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    auto region = bounding_arcs_test::Sagitta::boundary(frame);
+    region.outer = region.inner;
+    return region;
+  }
+};
+
+TEST(VerifyRegion, TakesNoOutlineWithoutAnInsideForARegion) {
+  const auto spiral = spiral_segments(Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}})).front();
+  EXPECT_TRUE(is_proven(verify_region<study::Oriented_box>(spiral, 0, 1)));
+  EXPECT_FALSE(is_proven(verify_region<No_edges>(spiral, 0, 1)));
+  EXPECT_FALSE(is_proven(verify_region<One_side>(spiral, 0, 1)));
+  EXPECT_FALSE(is_proven(verify_region<Open_side>(spiral, 0, 1)));
+  EXPECT_TRUE(verify_thickness<study::Oriented_box>(spiral, 0, 1, 1));
+  EXPECT_FALSE(verify_thickness<No_edges>(spiral, 0, 1, 1));
+  EXPECT_FALSE(verify_thickness<One_side>(spiral, 0, 1, 1));
+}
+
+TEST(VerifyRegion, LooksAtTheArcsOfOnesOwnConstruction) {
+  for (const auto& curve : {Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}}),
+                            Bezier_curve_2<double>({{0, 0}, {0.5, 0.25}, {1, -2}}, {1, 2, 1})})
+    for_each_piece<Bca>(curve, 3, [&](const auto& spiral, double t0, double t1) {
+      EXPECT_TRUE(is_proven(verify_region<bounding_arcs_test::Sagitta>(spiral, t0, t1)));
+      EXPECT_FALSE(is_proven(verify_region<Flat_sagitta>(spiral, t0, t1)));
+    });
 }
 
 TEST(VerifyRegion, DisprovesPiecesThatAreNoSpirals) {

@@ -262,8 +262,10 @@ template <class Construction>
       }
     }
     return Proof::UNDECIDED;
-  } else {
+  } else if constexpr (std::is_base_of_v<Bca, Construction>) {
     return prove_bca(piece, f, range);
+  } else {
+    return prove_between_arcs(construction, piece, f, range);
   }
 }
 
@@ -309,8 +311,8 @@ struct Region_proof {
 };
 
 /// Whether the piece [t0, t1] of a spiral segment lies in its region.
-/// \tparam Construction Bca, Spiral_fat_arc, Bilens, one of the latter two in Near_circular_to_bca, or one with regions
-///   that have outlines
+/// \tparam Construction Bca, Spiral_fat_arc, Bilens, one of the latter two in Near_circular_to_bca, one with regions
+///   that have outlines, or one whose sides are an arc each and need no curvature
 /// \tparam Spiral Bezier_spiral_2 over a number type whose exact type is CGAL::Exact_rational
 /// \param eps the thickness that a region widened for a sliver may not exceed; a slack is at most half of it
 /// \guarantee PROVEN and PROVEN_AS_SLIVER are proofs: exact rational arithmetic for BCA, for the others rational

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
+#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Weighted_piece.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/sign_on_interval.h>
 
@@ -182,6 +183,40 @@ struct Parameter_range {
   if (f.turn == 0) return prove_on_chord(piece, range);
   const Proof outer = prove_chord_circle(piece, true, +1, range);
   return outer == Proof::PROVEN ? prove_chord_circle(piece, false, -1, range) : outer;
+}
+
+/// The curve keeps to the left of a circle or a line through its ends, or with side -1 to the right.
+[[nodiscard]] inline Proof prove_side(const Containment_piece& piece, const Chord_shape_2<Rational>& f,
+                                      const Contact_circle_2<Rational>& circle, int side,
+                                      const Parameter_range& range) {
+  const End_view& v = piece.tight;
+  const Xy<Rational> tight_end = f.tight_first ? Xy<Rational>{} : f.chord, n = circle.normal_at(tight_end);
+  // side(q) of Contact_circle_2 for q = tight_end + scale (x, y) / weight, times weight^2 and what clears denominators
+  const std::vector<Integer> c =
+      cleared<Rational>({circle.side(tight_end), Rational(2 * v.scale * n.x), Rational(2 * v.scale * n.y),
+                         Rational(circle.curvature * v.scale * v.scale)})
+          .numbers;
+  return prove_nonnegative_but_at_ends(
+      Integer(side) *
+          (c[0] * (v.weight * v.weight) + v.weight * (c[1] * v.x + c[2] * v.y) - c[3] * (v.x * v.x + v.y * v.y)),
+      range);
+}
+
+/// Between the two arcs, over the chord, of one's own construction: of two circles through the same points what is
+/// inside of the one and outside of the other is between their arcs.
+template <class Construction>
+[[nodiscard]] Proof prove_between_arcs(const Construction& construction, const Containment_piece& piece,
+                                       Chord_shape_2<Rational> f, const Parameter_range& range) {
+  f.unit = 1;
+  const auto region = construction.boundary(frame_at_origin(f));
+  const auto is_over_chord = [&](const Boundary_chain_2<Rational>& side) {
+    return side.size() == 1 && side[0].from == Xy<Rational>{} && side[0].to == f.chord;
+  };
+  if (!is_over_chord(region.inner) || !is_over_chord(region.outer)) return Proof::UNDECIDED;
+  if (f.turn == 0 && f.runs_ahead) return prove_on_chord(piece, range);
+  const int turn = f.turn < 0 ? -1 : 1;
+  const Proof outer = prove_side(piece, f, region.outer[0].support, turn, range);
+  return outer == Proof::PROVEN ? prove_side(piece, f, region.inner[0].support, -turn, range) : outer;
 }
 
 }  // namespace CGAL::Bounding_arcs::verify

@@ -48,13 +48,30 @@ template <class Construction>
   return prove_nonnegative_but_at_ends(c[0] * v.y - c[1] * v.x + c[2] * v.weight, range);
 }
 
+/// Whether both sides of a polygon are chains between the same two points: others have no inside.
+[[nodiscard]] inline bool is_closed(const Region_outline_2<Rational>& outline) {
+  for (const auto* side : {&outline.inner, &outline.outer}) {
+    if (side->empty()) return false;
+    for (std::size_t i = 1; i < side->size(); ++i)
+      if ((*side)[i - 1].to != (*side)[i].from) return false;
+  }
+  return outline.inner.front().from == outline.outer.front().from && outline.inner.back().to == outline.outer.back().to;
+}
+
 /// Inside of all edges.
 [[nodiscard]] inline Proof prove_in_polygon(const Containment_piece& piece, const Chord_shape_2<Rational>& f,
                                             const Region_outline_2<Rational>& outline, const Parameter_range& range) {
+  if (!is_closed(outline)) return Proof::DISPROVED;
   const Xy<Rational> tight_end = f.tight_first ? Xy<Rational>{} : f.chord;
   for (const auto& [from, to] : edges_around(outline))
     if (const Proof proof = prove_left_of(piece, tight_end, from, to, range); proof != Proof::PROVEN) return proof;
   return Proof::PROVEN;
+}
+
+/// Whether an outline has the sides of a strip: one arc or two, between segments that both have.
+[[nodiscard]] inline bool is_strip(const Region_outline_2<Mpfr_interval>& outline) {
+  const std::size_t size = outline.outer.size();
+  return (size == 3 || size == 4) && outline.inner.size() == size;
 }
 
 /// A piece and the strip about it, in intervals of one precision.
@@ -72,6 +89,7 @@ class Strip_proof {
   }
 
   [[nodiscard]] Proof contained() const {
+    if (!is_strip(outline_)) return Proof::UNDECIDED;
     const Chain& outer = outline_.outer;
     const Boundary_piece_2<Mpfr_interval>&first = outer[1], &last = outer[outer.size() - 2];
     const Polynomial from_start = ahead(direction_at(first, first.from), true),
@@ -186,6 +204,7 @@ template <class Construction>
 /// segment is convex, so that the ends of a part tell, and edges are halved where no one segment does.
 [[nodiscard]] inline bool prove_polygon_thickness(const Region_outline_2<Rational>& outline, const Rational& length) {
   constexpr int MOST_PARTS = 400;
+  if (!is_closed(outline)) return false;
   const Rational most = length * length;
   int parts = 0;
   const auto holds = [&](const Xy<Rational>& p, const Xy<Rational>& q, const auto& again) -> bool {
@@ -203,6 +222,7 @@ template <class Construction>
 /// normals, and between these arcs are as far apart as their circles are.
 [[nodiscard]] inline bool prove_strip_thickness(const Region_outline_2<Mpfr_interval>& outline,
                                                 const Mpfr_interval& length) {
+  if (!is_strip(outline)) return false;
   for (std::size_t i = 1; i + 1 < outline.outer.size(); ++i) {
     const Oriented_arc outer(outline.outer[i]), inner(outline.inner[i]);
     Mpfr_interval apart = circle_deviation(outer, inner);
