@@ -46,9 +46,9 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
       ->check(one_of(unit_words()));
   command
       .add_option("--join-ends", words.join,
-                  "Join open curves where exactly two ends are that near, in units of the coordinates: an outline of\n"
-                  "loose lines gets an inside. Without it those of DXF and SVG files that rounding parts; none joins "
-                  "nothing")
+                  "Join open curves where two ends are that near, in units of the coordinates; where more are, those\n"
+                  "that go on straight. An outline of loose lines gets an inside. Without it ends of DXF and SVG\n"
+                  "files are joined that rounding parts; none joins nothing")
       ->check(CLI::Validator(check_join, "", "join-ends"))
       ->type_name("NUMBER");
   command.add_flag("--skip-open", words.skips_open, "Leave out curves that are open when all ends are joined");

@@ -42,7 +42,8 @@ template <class Read> void read(Nothing nothing, const Read& read_records) {
 }  // namespace
 
 void json(const std::uint8_t* data, std::size_t size) {
-  read(Nothing::ALLOWED, [&] { return bounding_arcs_tool::read_json_curves(text_of(data, size), "file", "stem"); });
+  read(Nothing::ALLOWED,
+       [&] { return bounding_arcs_tool::read_json_curves(text_of(data, size), "file", "stem").curves; });
 }
 void svg(const std::uint8_t* data, std::size_t size) {
   for (const bool all : {false, true})
