@@ -210,6 +210,17 @@ TEST_P(DrawnAxes, AreProven) {
   EXPECT_GE(100 * (proven + 1), GetParam().proven * all) << proven << " of " << all;
 }
 
+// Ways lead through gaps of 1e-12 to 1e-10 of the size, with large discs at their mouths. There two ends are a disc's
+// touches, and its center hangs on all bits of how far they are apart; or ends were moved by as much as gaps are wide.
+TEST(DrawnShapes, WithWaysThroughGapsAreProven) {
+  for (const unsigned seed : {0U, 6U, 45U, 59U, 69U, 87U, 99U, 106U, 164U, 195U}) {
+    std::mt19937 random(seed);
+    const Axis_case drawn = in_frame(random, loose_lines(random));
+    const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
+    EXPECT_TRUE(ba::axis_certificate(ba::Bounding_arc_tree_2(drawn.drawing), axis).is_proven()) << "seed " << seed;
+  }
+}
+
 ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
 
 // The centers are its ends: a disc about either touches all of the circle that bounds the union.

@@ -49,8 +49,10 @@ struct Axis_line {
 /// Finds what feet run along.
 class Foot_runs {
  public:
-  /// \param room lengths below are nothing
-  Foot_runs(const Bounding_parts& parts, double room) : curves_(parts.segments), room_(room), joint_(parts.joints) {
+  /// \param least lengths below are nothing
+  /// \param room ends that are no farther apart may be one joint, where feet have no segment in common otherwise
+  explicit Foot_runs(const Bounding_parts& parts, double least, double room = 0)
+      : curves_(parts.segments), least_(least), room_((std::max)(least, room)), joint_(parts.joints) {
     const std::size_t count = curves_.number_of_segments();
     first_.assign(curves_.number_of_beziers() + 1, 0);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -73,7 +75,7 @@ class Foot_runs {
     const auto aside = [&](const Curve_jet& j) { return dot(center - j.point, j.first); };
     const Curve_jet jet = curve(p.t);
     const double square = dot(jet.first, jet.first), steep = square - dot(center - jet.point, jet.second);
-    if (!(std::fabs(aside(jet)) > room_ * std::sqrt(square)) || !(steep > 0)) return p;
+    if (!(std::fabs(aside(jet)) > least_ * std::sqrt(square)) || !(steep > 0)) return p;
     const auto segment = segment_at(bezier, p.t);
     if (!segment) return p;
     const Spiral_piece_2 piece = curves_.piece(*segment);
@@ -86,20 +88,10 @@ class Foot_runs {
   /// \return nothing where two feet are on no common segment
   [[nodiscard]] std::optional<Foot_run> between(const Curve_place& a, const Curve_place& b) const {
     if (a.curve == b.curve && a.bezier == b.bezier && a.t == b.t) return point_run(a);
-    const std::vector<Name> of_a = names(a), of_b = names(b);
-    std::optional<Foot_run> best;
-    std::pair<std::size_t, double> least;  // first those that have the names that were given, then the shortest
-    for (std::size_t i = 0; i < of_a.size(); ++i)
-      for (std::size_t k = 0; k < of_b.size(); ++k) {
-        if (of_a[i].segment != of_b[k].segment) continue;
-        const std::pair<std::size_t, double> rank{(i > 0) + (k > 0), std::fabs(of_b[k].t - of_a[i].t)};
-        if (best && !(rank < least)) continue;
-        least = rank;
-        best.emplace();
-        best->segment = of_a[i].segment, best->from = of_a[i].t, best->to = of_b[k].t;
-      }
-    if (best && euclidean_norm(point(a) - point(b)) <= room_) return point_run(a);
-    return best;
+    std::optional<Foot_run> best = between(names(a, least_), names(b, least_));
+    if (!best && least_ < room_) best = between(names(a, room_), names(b, room_));
+    const bool is_nothing = best && (euclidean_norm(point(a) - point(b)) <= least_ || length(*best) <= least_);
+    return is_nothing ? point_run(a) : best;
   }
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
     return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
@@ -122,8 +114,25 @@ class Foot_runs {
     std::uint32_t segment;
     double t;
   };
+  [[nodiscard]] static std::optional<Foot_run> between(const std::vector<Name>& of_a, const std::vector<Name>& of_b) {
+    std::optional<Foot_run> best;
+    std::pair<std::size_t, double> least;  // first those that have the names that were given, then the shortest
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+      for (std::size_t k = 0; k < of_b.size(); ++k) {
+        if (of_a[i].segment != of_b[k].segment) continue;
+        const std::pair<std::size_t, double> rank{(i > 0) + (k > 0), std::fabs(of_b[k].t - of_a[i].t)};
+        if (best && !(rank < least)) continue;
+        least = rank;
+        best.emplace();
+        best->segment = of_a[i].segment, best->from = of_a[i].t, best->to = of_b[k].t;
+      }
+    return best;
+  }
+  [[nodiscard]] double length(const Foot_run& run) const {
+    return euclidean_norm(curves_.sample(run.segment, run.to).point - curves_.sample(run.segment, run.from).point);
+  }
   // A place at a joint is on all segments that end there. The first name is that of the place's own segment.
-  [[nodiscard]] std::vector<Name> names(const Curve_place& p) const {
+  [[nodiscard]] std::vector<Name> names(const Curve_place& p, double room) const {
     std::vector<Name> names;
     const std::uint32_t bezier = curves_.number_of_bezier(p.curve, p.bezier);
     const std::optional<std::uint32_t> s = segment_at(bezier, p.t);
@@ -131,16 +140,16 @@ class Foot_runs {
     const Spiral_piece_2 own = curves_.piece(*s);
     if (own.first.t <= p.t && p.t <= own.last.t) names.push_back({*s, p.t});
     const Xy<double> at = point(p);
-    add_at_joints(*s, at, names);
+    add_at_joints(*s, at, room, names);
     // where the curve bounds nothing between, rounding puts a joint there
-    if (names.empty() && *s > first_[bezier]) add_at_joints(*s - 1, at, names);
+    if (names.empty() && *s > first_[bezier]) add_at_joints(*s - 1, at, room, names);
     return names;
   }
-  void add_at_joints(std::uint32_t segment, const Xy<double>& at, std::vector<Name>& names) const {
+  void add_at_joints(std::uint32_t segment, const Xy<double>& at, double room, std::vector<Name>& names) const {
     const Spiral_piece_2 piece = curves_.piece(segment);
     const bool has_own = !names.empty();
     for (const bool is_last : {false, true}) {
-      if (!(euclidean_norm((is_last ? piece.last : piece.first).point - at) <= room_)) continue;
+      if (!(euclidean_norm((is_last ? piece.last : piece.first).point - at) <= room)) continue;
       const std::uint32_t joint = joint_[2 * segment + is_last];
       for (std::uint32_t i = first_at_[joint]; i < first_at_[joint + 1]; ++i) {
         const std::uint32_t other = ends_[i] / 2;
@@ -163,7 +172,7 @@ class Foot_runs {
   }
 
   const Segment_hierarchy& curves_;
-  double room_;
+  double least_, room_;
   const std::vector<std::uint32_t>& joint_;     // by end
   std::vector<std::uint32_t> first_;            // segments of each Bezier piece
   std::vector<std::uint32_t> ends_, first_at_;  // ends by joint

@@ -26,7 +26,7 @@ class Axis_prover {
   /// Curves and axis have a size near 1.
   Axis_prover(const Bounding_parts& bounds, const Medial_axis_2& axis)
       : bounds_(bounds), curves_(bounds.segments), axis_(axis), size_(coordinate_size(curves_.drawing())),
-        least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, least_), prover_(curves_, size_),
+        least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_, least_), prover_(curves_, size_),
         left_(curves_.number_of_segments()), right_(curves_.number_of_segments()) {}
 
   [[nodiscard]] Axis_certificate prove() {

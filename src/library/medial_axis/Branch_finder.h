@@ -151,7 +151,7 @@ class Branch_finder {
     double radius = share * from.radius + (1 - share) * to.radius, last = HUGE_VAL;
     constexpr int MOST_STEPS = 24;
     for (int step = 0; step < MOST_STEPS; ++step) {
-      Xy<double> direction[3];
+      Xy<double> direction[3], ways[3];
       double distance[3];
       for (std::size_t i = 0; i < 3; ++i) {
         if (!step_to(center, feet[i]) || !step_to(center, feet[i])) return std::nullopt;
@@ -161,10 +161,17 @@ class Branch_finder {
         if (!(side > 0)) return std::nullopt;
         direction[i] = (1 / d) * way;
         distance[i] = d;
+        ways[i] = way;
       }
       // distance + direction.change is the new radius, of all three
       const Xy<double> a = direction[1] - direction[0], b = direction[2] - direction[0];
-      const double determinant = cross(a, b), f = distance[0] - distance[1], g = distance[0] - distance[2];
+      const double determinant = cross(a, b);
+      // distance[0] - distance[i], as exact as the feet are close: the center of discs through a gap hangs on it
+      const auto farther = [&](std::size_t i) {
+        const Xy<double> gap = boundary_(feet[i].place).point - boundary_(feet[0].place).point;
+        return dot(gap, ways[0] + ways[i]) / (distance[0] + distance[i]);
+      };
+      const double f = farther(1), g = farther(2);
       if (!(std::fabs(determinant) > 0)) return std::nullopt;
       const Xy<double> change{(f * b.y - g * a.y) / determinant, (g * a.x - f * b.x) / determinant};
       const double size = euclidean_norm(change);
@@ -205,7 +212,8 @@ class Branch_finder {
   }
 
   // Whether a disc touches both sides of a sharp tip there, from outside: within, it would be smaller than its distance
-  // from the tip. Where sides have one tangent, rounding does not tell which of them is before the other.
+  // from the tip. Where sides have one tangent, rounding does not tell which of them is before the other. A disc that
+  // touches two corners is at the mouth of what is between them, where it may be large.
   [[nodiscard]] bool is_outside_of_tip(const std::array<Foot_of_disc, 3>& feet,
                                        const std::array<std::uint32_t, 3>& positions, double radius) const {
     const Axis_part& part = parts_.parts[part_];
@@ -219,9 +227,15 @@ class Branch_finder {
         const auto is_near = [&](const Foot_of_disc& foot) {
           return euclidean_norm(boundary_(foot.place).point - node.center) < NEAR * radius;
         };
-        if (is_near(feet[i]) && is_near(feet[k])) return true;
+        if (is_near(feet[i]) && is_near(feet[k]) && !are_apart(feet[i].place, feet[k].place)) return true;
       }
     return false;
+  }
+
+  // Whether two places are corners that are told apart.
+  [[nodiscard]] bool are_apart(const Boundary_place& p, const Boundary_place& q) const {
+    const Boundary_element &a = boundary_.element(p.element), &b = boundary_.element(q.element);
+    return a.is_corner && b.is_corner && euclidean_norm(a.point - b.point) > boundary_.joint_size();
   }
 
   // Nothing is left between two discs: one of them touches all three places within rounding, or a branch is missing.
