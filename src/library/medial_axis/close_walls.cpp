@@ -7,7 +7,6 @@
 #include "Close_walls.h"
 
 #include "../overlay/Joined_sets.h"
-#include "Wall_contacts.h"
 
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 

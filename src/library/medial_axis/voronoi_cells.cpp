@@ -4,6 +4,7 @@
 //
 // Bodies of medial_axis/voronoi_cells.h.
 
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 
@@ -29,9 +30,7 @@ class Places {
         ends_[key(end)].push_back(end);
   }
 
-  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
-    return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
-  }
+  [[nodiscard]] Xy<double> point(const Curve_place& p) const { return internal::point_at(curves_, p); }
   [[nodiscard]] bool is_on_left(const Xy<double>& q, const Curve_place& p) const {
     const Curve_jet jet = curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t);
     return cross(jet.first, q - jet.point) > 0;

@@ -11,8 +11,6 @@
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 #include "Axis_checker_curves.h"
 #include "Axis_tiles.h"
-#include "Curve_sides.h"
-#include "disc_between.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 

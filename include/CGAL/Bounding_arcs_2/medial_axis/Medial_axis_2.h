@@ -8,7 +8,6 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
 
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/bounds_declaration.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <cstddef>
@@ -17,6 +16,10 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+struct Bounding_parts;
+}
 
 /// A maximal disc where the axis ends or branches.
 struct Medial_vertex {
