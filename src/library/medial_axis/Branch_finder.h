@@ -278,7 +278,7 @@ class Branch_finder {
     double radius = share * from.radius + (1 - share) * to.radius, last = HUGE_VAL;
     constexpr int MOST_STEPS = 24;
     for (int step = 0; step < MOST_STEPS; ++step) {
-      Xy<double> direction[3], ways[3];
+      Xy<double> direction[3], points[3], ways[3];
       double distance[3];
       for (std::size_t i = 0; i < 3; ++i) {
         if (!step_to(center, feet[i]) || !step_to(center, feet[i])) return std::nullopt;
@@ -288,15 +288,17 @@ class Branch_finder {
         if (!(side > 0)) return std::nullopt;
         direction[i] = (1 / d) * way;
         distance[i] = d;
-        ways[i] = way;
+        points[i] = jet.point, ways[i] = way;
       }
       // distance + direction.change is the new radius, of all three
       const Xy<double> a = direction[1] - direction[0], b = direction[2] - direction[0];
       const double determinant = cross(a, b);
-      // distance[0] - distance[i], as exact as the feet are close: the center of discs through a gap hangs on it
+      // distance[0] - distance[i]; the center of discs through a gap hangs on all its bits
       const auto farther = [&](std::size_t i) {
-        const Xy<double> gap = boundary_(feet[i].place).point - boundary_(feet[0].place).point;
-        return dot(gap, ways[0] + ways[i]) / (distance[0] + distance[i]);
+        constexpr double CLOSE = 0x1p-10;  // feet, of the distance
+        const Xy<double> gap = points[i] - points[0];
+        return euclidean_norm(gap) < CLOSE * distance[0] ? dot(gap, ways[0] + ways[i]) / (distance[0] + distance[i])
+                                                         : distance[0] - distance[i];
       };
       const double f = farther(1), g = farther(2);
       if (!(std::fabs(determinant) > 0)) return std::nullopt;
