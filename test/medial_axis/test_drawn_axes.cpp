@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 
 #include <gtest/gtest.h>
 
@@ -209,6 +210,17 @@ TEST_P(DrawnAxes, AreProven) {
   EXPECT_GE(100 * (proven + 1), GetParam().proven * all) << proven << " of " << all;
 }
 
+// Ways lead through gaps of 1e-12 to 1e-10 of the size, with large discs at their mouths. There two ends are a disc's
+// touches, and its center hangs on all bits of how far they are apart; or ends were moved by as much as gaps are wide.
+TEST(DrawnShapes, WithWaysThroughGapsAreProven) {
+  for (const unsigned seed : {0U, 6U, 45U, 59U, 69U, 87U, 99U, 106U, 164U, 195U}) {
+    std::mt19937 random(seed);
+    const Axis_case drawn = in_frame(random, loose_lines(random));
+    const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
+    EXPECT_TRUE(ba::axis_certificate(ba::Bounding_arc_tree_2(drawn.drawing), axis).is_proven()) << "seed " << seed;
+  }
+}
+
 ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
 
 // The centers are its ends: a disc about either touches all of the circle that bounds the union.
@@ -276,15 +288,35 @@ TEST(DrawnShapes, ThatAreDotsStay) {
 }
 
 // Both curves leave the tip alike up to their third derivatives: it has no branch that doubles tell.
+Drawing with_a_third_order_tip() {
+  return drawing_of({segment({-4, -3}, {-4, 0}), Bezier({{-4, 0}, {-2, 2}, {-2, 3}, {-1, -2}}),
+                     Bezier({{-1, -2}, {-2, 3}, {-2, 2}, {-4, -3}})});
+}
 TEST(DrawnShapes, ThatRoundingLeavesOpenAreMoved) {
-  const std::vector<Bezier> chain{segment({-4, -3}, {-4, 0}), Bezier({{-4, 0}, {-2, 2}, {-2, 3}, {-1, -2}}),
-                                  Bezier({{-1, -2}, {-2, 3}, {-2, 2}, {-4, -3}})};
-  const ba::Medial_axis_2 axis = axis_of_case({drawing_of(chain), {}}, 1e-3);
+  const ba::Medial_axis_2 axis = axis_of_case({with_a_third_order_tip(), {}}, 1e-3);
   EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
   EXPECT_EQ(axis.vertices.size(), 4u);
   EXPECT_EQ(axis.edges.size(), 3u);
   EXPECT_GT(axis.moved, 0);
   EXPECT_LE(axis.moved, 0x1p-40 * 4);
+}
+
+// The axis ends where both sides are one, before the tip: what it leaves out is nothing, but no more than that.
+TEST(DrawnShapes, WithATipOfThirdOrderAreVerified) {
+  const Drawing drawing = with_a_third_order_tip();
+  ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
+  const ba::Axis_verification found = ba::verify_axis(drawing, axis);
+  EXPECT_TRUE(found.is_right()) << found.findings.front().place;
+  const auto at_tip = std::find_if(axis.edges.begin(), axis.edges.end(), [&](const ba::Medial_edge& e) {
+    return distance_between(axis.vertices[e.to].center, {-1, -2}) < 1e-4;
+  });
+  ASSERT_NE(at_tip, axis.edges.end());
+  at_tip->samples.pop_back();
+  const ba::Medial_sample& last = at_tip->samples.back();
+  axis.vertices[at_tip->to] = {last.center, last.radius, {last.left, last.right}, {last.radius, last.radius}};
+  const ba::Axis_verification broken = ba::verify_axis(drawing, axis);
+  ASSERT_FALSE(broken.is_right());
+  EXPECT_EQ(broken.findings.front().fault, ba::Axis_fault::TILING);
 }
 
 // Two arcs are left of the circle: its disc touches both, and is one vertex.

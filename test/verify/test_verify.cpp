@@ -289,21 +289,21 @@ TEST(VerifyRegion, DisprovesALineThatLeavesItsEnds) {
 }
 
 // Constructions of one's own that are no regions, or others than BCAs.
-struct No_edges : study::Oriented_box {
+struct No_edges : Oriented_box {
   template <class NT> static Region_outline_2<NT> boundary(const Chord_frame_2<NT>&) {
     return {{}, {}, Outline_form::POLYGON};
   }
 };
-struct One_side : study::Oriented_box {
+struct One_side : Oriented_box {
   template <class NT> static Region_outline_2<NT> boundary(const Chord_frame_2<NT>& frame) {
-    auto outline = study::Oriented_box::boundary(frame);
+    auto outline = Oriented_box::boundary(frame);
     outline.inner.clear();
     return outline;
   }
 };
-struct Open_side : study::Oriented_box {
+struct Open_side : Oriented_box {
   template <class NT> static Region_outline_2<NT> boundary(const Chord_frame_2<NT>& frame) {
-    auto outline = study::Oriented_box::boundary(frame);
+    auto outline = Oriented_box::boundary(frame);
     outline.outer.pop_back();
     return outline;
   }
@@ -318,11 +318,11 @@ struct Flat_sagitta : bounding_arcs_test::Sagitta {  // its arc is the chord, to
 
 TEST(VerifyRegion, TakesNoOutlineWithoutAnInsideForARegion) {
   const auto spiral = spiral_segments(Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}})).front();
-  EXPECT_TRUE(is_proven(verify_region<study::Oriented_box>(spiral, 0, 1)));
+  EXPECT_TRUE(is_proven(verify_region<Oriented_box>(spiral, 0, 1)));
   EXPECT_FALSE(is_proven(verify_region<No_edges>(spiral, 0, 1)));
   EXPECT_FALSE(is_proven(verify_region<One_side>(spiral, 0, 1)));
   EXPECT_FALSE(is_proven(verify_region<Open_side>(spiral, 0, 1)));
-  EXPECT_TRUE(verify_thickness<study::Oriented_box>(spiral, 0, 1, 1));
+  EXPECT_TRUE(verify_thickness<Oriented_box>(spiral, 0, 1, 1));
   EXPECT_FALSE(verify_thickness<No_edges>(spiral, 0, 1, 1));
   EXPECT_FALSE(verify_thickness<One_side>(spiral, 0, 1, 1));
 }

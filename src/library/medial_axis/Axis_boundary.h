@@ -127,17 +127,19 @@ class Axis_boundary {
       const double c = std::cos(p.u), s = std::sin(p.u);
       return {e.point, {c * e.tangent.x + s * e.tangent.y, c * e.tangent.y - s * e.tangent.x}, 0, -1};
     }
-    const Spiral_piece_2 piece = curves_.piece(e.segment);
     const double t = e.is_reversed ? -p.u : p.u, sign = e.is_reversed ? -1 : 1;
     const Curve_jet jet = curves_.evaluator(curves_.bezier_of(e.segment))(t);
+    const auto end_tangent = [&](bool is_first) {
+      const Spiral_piece_2 piece = curves_.piece(e.segment);
+      return is_first ? piece.first.tangent : piece.last.tangent;
+    };
     if (curves_.is_straight(e.segment)) {
-      const Xy<double>& d = piece.first.tangent;
+      const Xy<double> d = end_tangent(true);
       return {jet.point, sign * d, std::fabs(dot(jet.first, d)), 0};
     }
     const double square = dot(jet.first, jet.first), speed = std::sqrt(square);
-    const bool is_end = t == piece.first.t || t == piece.last.t;
-    const Xy<double> d =
-        is_end ? (t == piece.first.t ? piece.first.tangent : piece.last.tangent) : (1 / speed) * jet.first;
+    const bool is_end = p.u == e.first || p.u == e.last;
+    const Xy<double> d = is_end ? end_tangent((p.u == e.first) != e.is_reversed) : (1 / speed) * jet.first;
     return {jet.point, sign * d, speed, square > 0 ? sign * cross(jet.first, jet.second) / square : 0};
   }
 

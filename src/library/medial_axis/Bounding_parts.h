@@ -39,6 +39,10 @@ struct Bounding_parts {
   static constexpr std::uint32_t NO_LABEL = static_cast<std::uint32_t>(-1);
 };
 
+[[nodiscard]] inline Xy<double> point_at(const Segment_hierarchy& curves, const Curve_place& p) {
+  return curves.evaluator(curves.number_of_bezier(p.curve, p.bezier))(p.t).point;
+}
+
 /// How close walls are, in sizes, that meet: the axis is that of a drawing in which they do.
 inline constexpr double CLOSE_WALLS = 0x1p-42;
 

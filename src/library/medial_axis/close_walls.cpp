@@ -7,7 +7,6 @@
 #include "Close_walls.h"
 
 #include "../overlay/Joined_sets.h"
-#include "Wall_contacts.h"
 
 #include "../query/Closest_search.h"
 #include "../tree/Segment_hierarchy.h"

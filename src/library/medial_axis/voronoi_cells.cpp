@@ -7,6 +7,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include "../tree/Segment_hierarchy.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +31,7 @@ class Places {
         ends_[key(end)].push_back(end);
   }
 
-  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
-    return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
-  }
+  [[nodiscard]] Xy<double> point(const Curve_place& p) const { return internal::point_at(curves_, p); }
   [[nodiscard]] bool is_on_left(const Xy<double>& q, const Curve_place& p) const {
     const Curve_jet jet = curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t);
     return cross(jet.first, q - jet.point) > 0;

@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of Wall_contacts.h.
+// Bodies of Close_walls.h.
 
-#include "Wall_contacts.h"
+#include "Close_walls.h"
 
 #include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
 #include "../query/Closest_search.h"

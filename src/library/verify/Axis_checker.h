@@ -11,8 +11,6 @@
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 #include "Axis_checker_curves.h"
 #include "Axis_tiles.h"
-#include "Curve_sides.h"
-#include "disc_between.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -48,6 +46,7 @@ class Axis_checker {
       if (!are_in_order(line.cells, 0)) find(Axis_fault::CELL, sample_name(line.edge, line.sample));
     match_feet();
     check_sides();
+    check_gaps();
     check_sectors();
     CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) check_discs(i);
@@ -170,7 +169,7 @@ class Axis_checker {
 
   // A line that crosses the boundary, in a tip, is parted by discs between: nothing else of the cells changes.
   [[nodiscard]] bool are_in_order(const Cells& cells, int halvings) const {
-    if (is_in_order(cells.left) && is_in_order(cells.right)) return true;
+    if ((is_in_order(cells.left) && is_in_order(cells.right)) || is_tip_in_order(cells)) return true;
     constexpr int MOST_HALVINGS = 8;
     const auto middle = halvings < MOST_HALVINGS ? disc_between(curves_, cells, size_) : std::nullopt;
     if (!middle) return false;
@@ -179,6 +178,26 @@ class Axis_checker {
     first.right.end = last.right.begin = middle->right;
     first.left.first = last.left.last = first.right.last = last.right.first = &*middle;
     return are_in_order(first, halvings + 1) && are_in_order(last, halvings + 1);
+  }
+  // In a tip without an angle the line to the corner may cross a side, however short it is. Both cells together are the
+  // triangle from a center to both feet, and what both sides and the chord between their feet x and y enclose, where
+  // no side meets the chord again.
+  [[nodiscard]] bool is_tip_in_order(const Cells& cells) const {
+    const bool is_last = cells.right.last->radius == 0;
+    if (!is_last && cells.right.first->radius != 0) return false;
+    const Axis_tile &to = is_last ? cells.right : cells.left, &from = is_last ? cells.left : cells.right;
+    const Checked_vector x = point_at(piece(to.begin), to.begin.t).point,
+                         y = point_at(piece(from.end), from.end.t).point;
+    const Checked_vector c = checked((is_last ? cells.right.first : cells.right.last)->center);
+    if (!(distance(point(to.end), point(from.begin)) <= room_) || !is_left(x, y, c)) return false;
+    for (const Axis_tile* tile : {&to, &from}) {
+      const auto [low, high] = std::minmax(tile->begin.t, tile->end.t);
+      if (low == high) continue;
+      const Bezier_curve_2<double> part = piece(tile->begin).subcurve(low, high);
+      for (const Xy<double>& p : part.control_points())
+        if (!is_left(y, x, checked(p))) return false;
+    }
+    return true;
   }
   // A cell is not turned inside out: either of its diagonals has two triangles to the left of their sides. What of the
   // boundary is on the inside of its chord is in the cell by its control points.
@@ -307,6 +326,10 @@ class Axis_checker {
       expect_joint(curve, b, t, 1);
     }
   }
+  struct Gap {
+    Curve_place from;
+    double to, length;
+  };
   void expect_joint(std::size_t curve, std::size_t bezier, double t, double next) {
     if (t == next) return;
     const auto at = [&](double s) {
@@ -318,8 +341,38 @@ class Axis_checker {
       result_.gap = (std::max)(result_.gap, gap);
       return;
     }
-    if (next < t || !is_touched_arc(piece(at(t)), t, next)) find(Axis_fault::TILING, text_of(at(t)), gap);
-    else ++touched_arcs_[curve];
+    if (next < t) find(Axis_fault::TILING, text_of(at(t)), gap);
+    else if (is_touched_arc(piece(at(t)), t, next)) ++touched_arcs_[curve];
+    else gaps_.push_back({at(t), next, gap});
+  }
+  // What no disc touches. In a tip whose sides leave it alike they are one for a way: there no region is between them.
+  void check_gaps() {
+    for (const Gap& gap : gaps_) {
+      const int count = 8 * piece(gap.from).degree() + 1;
+      const auto is_beside_another = [&](const Xy<double>& p) {
+        return std::any_of(gaps_.begin(), gaps_.end(), [&](const Gap& other) {
+          return &other != &gap && distance(p, nearest_of(other, p)) <= room_;
+        });
+      };
+      bool is_nothing = true;
+      for (int i = 0; i < count && is_nothing; ++i) {
+        const double t = gap.from.t + (gap.to - gap.from.t) * i / (count - 1);
+        is_nothing = is_beside_another(point({gap.from.curve, gap.from.bezier, t}));
+      }
+      if (!is_nothing) find(Axis_fault::TILING, text_of(gap.from), gap.length);
+    }
+  }
+  // By halving: such a part hardly turns. Where it does, another point is farther away.
+  [[nodiscard]] Xy<double> nearest_of(const Gap& gap, const Xy<double>& p) const {
+    const Bezier_curve_2<double>& bezier = piece(gap.from);
+    double low = gap.from.t, high = gap.to;
+    constexpr int STEPS = 60;
+    for (int i = 0; i < STEPS; ++i) {
+      const double t = low + 0.5 * (high - low);
+      const Checked_point q = point_at(bezier, t);
+      (CGAL::to_double(dot(checked(p) - q.point, q.derivative)) > 0 ? low : high) = t;
+    }
+    return point({gap.from.curve, gap.from.bezier, low});
   }
   // A polynomial of twice the degree that is small in so many places is small between them.
   [[nodiscard]] bool is_touched_arc(const Bezier_curve_2<double>& bezier, double t0, double t1) const {
@@ -371,6 +424,7 @@ class Axis_checker {
   Axis_verification result_;
   std::vector<Line> cells_;
   std::vector<Sector> sectors_;
+  std::vector<Gap> gaps_;                            // of the boundary, between feet
   std::map<std::size_t, std::size_t> touched_arcs_;  // of each curve
 };
 

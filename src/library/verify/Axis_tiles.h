@@ -15,7 +15,10 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include "Axis_checker_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -73,6 +76,77 @@ struct Axis_tile {
       if (miss < least) least = miss, tile = Axis_tile{b, e, &first, &last, is_point};
     }
   return tile;
+}
+
+// A disc of the axis between two samples, and how far it is from the line between them.
+
+[[nodiscard]] inline const Bezier_curve_2<double>& piece_at(const Drawing_2<double>& curves, const Curve_place& p) {
+  return curves.curves()[p.curve].beziers[p.bezier];
+}
+/// The point of a place, in the middle of its enclosure.
+[[nodiscard]] inline Xy<double> middle_at(const Drawing_2<double>& curves, const Curve_place& p) {
+  const Checked_vector q = point_at(piece_at(curves, p), p.t).point;
+  return {CGAL::to_double(q.x), CGAL::to_double(q.y)};
+}
+
+/// A point of a tile; the tangent has the region on its left.
+struct Tile_jet {
+  Xy<double> point, tangent;
+};
+[[nodiscard]] inline Tile_jet jet_at(const Drawing_2<double>& curves, const Axis_tile& tile, double share) {
+  const Checked_point p = point_at(piece_at(curves, tile.begin), tile.begin.t + share * (tile.end.t - tile.begin.t));
+  const auto middle = [](const Checked_vector& v) { return Xy<double>{CGAL::to_double(v.x), CGAL::to_double(v.y)}; };
+  const Xy<double> d = middle(p.derivative);
+  const double speed = stable_norm(d) * (tile.end.t < tile.begin.t ? -1 : 1);
+  return {middle(p.point), {d.x / speed, d.y / speed}};
+}
+[[nodiscard]] inline Curve_place place_at(const Axis_tile& tile, double share) {
+  Curve_place p = tile.begin;
+  p.t += share * (tile.end.t - tile.begin.t);
+  return p;
+}
+/// The cells on both sides of the line between two samples.
+struct Cells {
+  Axis_tile left, right;
+};
+/// The disc that touches half way along one tile and anywhere on the other one. Halving: (q - p).(Tq - Tp) grows along
+/// q's tile. \param size of the drawing
+[[nodiscard]] inline std::optional<Medial_sample> disc_between(const Drawing_2<double>& curves, const Cells& cells,
+                                                               double size) {
+  const bool is_half_of_left = cells.right.is_point;
+  const Axis_tile &tile = is_half_of_left ? cells.left : cells.right,
+                  &other = is_half_of_left ? cells.right : cells.left;
+  Tile_jet p{};
+  if (tile.is_point) {
+    const Xy<double> at = middle_at(curves, tile.begin), way = 0.5 * (tile.first->center + tile.last->center) - at;
+    const double far = stable_norm(way);
+    if (!(far > 0)) return std::nullopt;
+    p = {at, {way.y / far, -way.x / far}};
+  } else {
+    p = jet_at(curves, tile, 0.5);
+  }
+  Tile_jet q{};
+  double low = 0, high = 1;
+  if (other.is_point) q.point = middle_at(curves, other.begin);
+  constexpr int STEPS = 40;
+  for (int i = 0; i < STEPS && !other.is_point; ++i) {
+    const double share = 0.5 * (low + high);
+    q = jet_at(curves, other, share);
+    (dot(q.point - p.point, q.tangent - p.tangent) > 0 ? high : low) = share;
+  }
+  const Xy<double> way = q.point - p.point, normal = perp(p.tangent);
+  const double height = dot(way, normal), far = stable_norm(way);
+  constexpr double LEAST = 0x1p-22;
+  if (!(far > LEAST * size) || !(height > 0)) return std::nullopt;
+  const double radius = far * far / (2 * height);
+  const Curve_place half = place_at(tile, 0.5), foot = place_at(other, other.is_point ? 0 : 0.5 * (low + high));
+  return Medial_sample{p.point + radius * normal, radius, is_half_of_left ? half : foot, is_half_of_left ? foot : half};
+}
+/// How far a disc is from the line between two others, centers and radii together.
+[[nodiscard]] inline double distance_from_line(const Medial_sample& d, const Medial_sample& s, const Medial_sample& t) {
+  const Xy<double> chord = t.center - s.center, way = d.center - s.center;
+  const double square = dot(chord, chord), share = square > 0 ? std::clamp(dot(way, chord) / square, 0.0, 1.0) : 0;
+  return stable_norm(way - share * chord) + std::fabs(s.radius + share * (t.radius - s.radius) - d.radius);
 }
 
 }  // namespace CGAL::Bounding_arcs::verify

@@ -6,7 +6,7 @@
 
 #include "cases.h"
 
-#include "../../../src/library/medial_axis/Sight_change.h"
+#include "../../../src/library/medial_axis/Line_prover.h"
 
 #include <gtest/gtest.h>
 

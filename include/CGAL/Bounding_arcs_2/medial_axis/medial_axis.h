@@ -10,10 +10,15 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+// The search takes threads as an argument: it is compiled without any.
+[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, const Axis_job& job = {});
+}  // namespace internal
 
 /// Returns the medial axis of all regions that the closed curves of a tree fill under a rule, as boolean operations and
 /// offsets take them. Curves may cross, touch and run together. A part of one with filled points on both sides is no

@@ -71,9 +71,10 @@ struct Axis_check_options {
 /// cell alone. Then no branch is missing, and no disc is too much.
 /// \param axis with feet in all samples
 /// \guarantee tiles, common feet and Euler's relation are exact; feet, normals and cells are told in intervals, within
-///   2^-40 of the size and what the axis tells as moved, which counts up to as much; discs of samples, and of one place
-///   between any two, are searched for curves within 1/32 of eps; there the distance from the line is measured, which
-///   is no proof
+///   2^-40 of the size and what the axis tells as moved, which counts up to as much. In a tip parts of both sides may
+///   have no tile where they are that near to each other, which 8 places for each degree tell. Discs of samples, and of
+///   one place between any two, are searched for curves within 1/32 of eps; there the distance from the line is
+///   measured, which is no proof
 /// \complexity linear in the samples, times log n and some microseconds
 [[nodiscard]] Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis_2& axis,
                                             const Axis_check_options& options = {});
