@@ -236,7 +236,7 @@ TEST(LooseOutlines, AreTheShapesOrTheAmbiguousPlaceIsTold) {
       expect_at_distance(of_original, places_of(a), ALLOWED);
       expect_at_distance(of_closed, places_of(b), ALLOWED);
       for (const auto& [place, wanted] : places_of(a))
-        ASSERT_EQ(signed_distance(of_original, place, options.rule)->side == Point_side::INSIDE, d < 0);
+        ASSERT_EQ(signed_distance(of_original, place, options.rule)->side == CGAL::ON_BOUNDED_SIDE, d < 0);
     }
     if (seed % 10 != 0) continue;
     ++axes;

@@ -9,6 +9,7 @@
 #define BOUNDING_ARCS_LIBRARY_VERIFY_AXIS_CHECKER_CURVES_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
