@@ -255,7 +255,7 @@ inline Drawing any_touching_circles(std::mt19937& random) {
   const bool is_whole = one_in(random, 2);
   return touching_circles({random, is_whole});
 }
-// Where a way through a gap of 1e-11 ends in large discs, rounding of these is much of what the gap tells.
+// Of loose lines what is left is slivers of straight sides 1e-12 apart, and vertices within rounding of others.
 inline constexpr Drawn_kind DRAWN_KINDS[] = {
     {"Whole", filled_shapes<true>, 99},
     {"Random", filled_shapes<false>, 99},
