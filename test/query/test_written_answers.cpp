@@ -17,7 +17,7 @@ namespace {
 namespace ba = CGAL::Bounding_arcs;
 using Bezier = ba::Bezier_curve_2<double>;
 
-template <class T> std::string text_of(const T& x) {
+template <class T> std::string written(const T& x) {
   std::ostringstream out;
   out << x;
   return out.str();
@@ -31,35 +31,35 @@ TEST(WrittenAnswers, HaveTheNumbersOfTheirMembersInOrder) {
   const auto flat = segment(0, 0, 4, 0);
   const auto found = ba::closest_point(flat, {1, 2});
   ASSERT_TRUE(found);
-  const std::string place = text_of(found->place);
+  const std::string place = written(found->place);
   EXPECT_EQ(place, "0 0 0.25");
-  EXPECT_EQ(text_of(*found), text_of(found->distance) + " " + text_of(found->point) + " " + place);
-  EXPECT_EQ(text_of(ba::Bracket{1, 2.5}), "1 2.5");
-  EXPECT_EQ(text_of(ba::Xy<double>{-1, 0.5}), "-1 0.5");
+  EXPECT_EQ(written(*found), written(found->distance) + " " + written(found->point) + " " + place);
+  EXPECT_EQ(written(ba::Bracket{1, 2.5}), "1 2.5");
+  EXPECT_EQ(written(ba::Xy<double>{-1, 0.5}), "-1 0.5");
   const auto gap = ba::distance(flat, segment(1, 1, 1, 2));
   ASSERT_TRUE(gap);
-  EXPECT_EQ(text_of(*gap), text_of(gap->distance) + " " + text_of(gap->a) + " " + text_of(gap->b));
+  EXPECT_EQ(written(*gap), written(gap->distance) + " " + written(gap->a) + " " + written(gap->b));
 }
 
 TEST(WrittenAnswers, HaveALineForEachEntry) {
   const auto flat = segment(0, 0, 4, 0);
   const auto crossing = ba::intersections(flat, segment(1, -1, 1, 1)), along = ba::intersections(flat, flat);
   ASSERT_EQ(crossing.points.size(), 1U);
-  EXPECT_EQ(text_of(crossing), "1 0 0 0 0.25 0.25 0 0 0.5 0.5\n");
-  EXPECT_EQ(text_of(along), "0 0 0 0 0 0 1 1 0 0 0 0 0 0 1 1\n");
-  EXPECT_EQ(text_of(Bezier({{0, 0}, {1, 2}, {3, 0}})), "0 0\n1 2\n3 0\n");
-  EXPECT_EQ(text_of(Bezier({{0, 0}, {1, 2}, {3, 0}}, {1, 2, 1})), "0 0 1\n1 2 2\n3 0 1\n");
-  EXPECT_EQ(text_of(ba::B_spline_curve_2<double>(1, {{0, 0}, {1, 2}}, {0, 0, 1, 1})), "1 0 0 1 1\n0 0\n1 2\n");
+  EXPECT_EQ(written(crossing), "1 0 0 0 0.25 0.25 0 0 0.5 0.5\n");
+  EXPECT_EQ(written(along), "0 0 0 0 0 0 1 1 0 0 0 0 0 0 1 1\n");
+  EXPECT_EQ(written(Bezier({{0, 0}, {1, 2}, {3, 0}})), "0 0\n1 2\n3 0\n");
+  EXPECT_EQ(written(Bezier({{0, 0}, {1, 2}, {3, 0}}, {1, 2, 1})), "0 0 1\n1 2 2\n3 0 1\n");
+  EXPECT_EQ(written(ba::B_spline_curve_2<double>(1, {{0, 0}, {1, 2}}, {0, 0, 1, 1})), "1 0 0 1 1\n0 0\n1 2\n");
 }
 
 TEST(WrittenAnswers, HaveAnEmptyLineBehindEachChain) {
   ba::Drawing_2<double> square;
   square.add({Bezier({{0, 0}, {1, 0}}), Bezier({{1, 0}, {1, 1}}), Bezier({{1, 1}, {0, 0}})});
   const ba::Bounding_arc_tree_2 tree(square);
-  const std::string outline = text_of(ba::outline(tree));
+  const std::string outline = written(ba::outline(tree));
   EXPECT_EQ(std::count(outline.begin(), outline.end(), '\n'), 4);
   EXPECT_EQ(outline.substr(outline.size() - 2), "\n\n");
-  EXPECT_EQ(text_of(square), "0 0\n1 0\n\n1 0\n1 1\n\n1 1\n0 0\n\n");
+  EXPECT_EQ(written(square), "0 0\n1 0\n\n1 0\n1 1\n\n1 1\n0 0\n\n");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "for_instruction_sets.h"
 
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
 
 namespace CGAL::Bounding_arcs::filter {
 

@@ -12,7 +12,8 @@
 
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
 
 #include <algorithm>
 #include <cmath>

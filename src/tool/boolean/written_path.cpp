@@ -58,7 +58,7 @@ Written_curve written_path(const std::string& file, const std::string& name, con
   Written_curve curve = written_curve(name, look, pieces);
   if (!words.is_plain) return curve;
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (!is_of_svg(curve.pieces[i]))
+    if (!is_of_svg(written_piece(pieces[i])))
       throw Input_error(file, "curve \"" + name + "\"",
                         "expected curves that SVG can draw, or --eps for arcs, found " +
                             std::string(pieces[i].is_rational() ? "weights" : "no weights") + " and degree " +

@@ -40,9 +40,9 @@ struct Outline_part {
   Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Outline_part& a) {
-    return out << a.operand << ' ' << a.curve << ' ' << a.bezier << ' ' << a.from << ' ' << a.to << ' ' << a.start
-               << ' ' << a.end;
+  friend std::ostream& operator<<(std::ostream& out, const Outline_part& answer) {
+    return out << answer.operand << ' ' << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' '
+               << answer.to << ' ' << answer.start << ' ' << answer.end;
   }
 };
 

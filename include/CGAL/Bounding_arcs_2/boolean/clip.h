@@ -30,8 +30,9 @@ struct Clipped_part {
   Bounded_side side = ON_UNBOUNDED_SIDE;  ///< on the boundary: along a curve of the region, whatever that fills
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Clipped_part& a) {
-    return out << a.curve << ' ' << a.bezier << ' ' << a.from << ' ' << a.to << ' ' << a.start << ' ' << a.end;
+  friend std::ostream& operator<<(std::ostream& out, const Clipped_part& answer) {
+    return out << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' ' << answer.to << ' ' << answer.start
+               << ' ' << answer.end;
   }
 };
 

@@ -33,8 +33,8 @@ struct Offset_error {
   Bracket farthest;  ///< of the point that is farthest from them
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Offset_error& a) {
-    return out << a.nearest << ' ' << a.farthest;
+  friend std::ostream& operator<<(std::ostream& out, const Offset_error& answer) {
+    return out << answer.nearest << ' ' << answer.farthest;
   }
 };
 

@@ -33,7 +33,9 @@ struct Overlay_vertex {
   std::optional<std::uint32_t> face;  ///< the face that it is in, of a vertex without edges
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Overlay_vertex& a) { return out << a.x << ' ' << a.y; }
+  friend std::ostream& operator<<(std::ostream& out, const Overlay_vertex& answer) {
+    return out << answer.x << ' ' << answer.y;
+  }
 };
 
 /// A part of a Bezier piece.
@@ -42,8 +44,8 @@ struct Overlay_part {
   Bracket from, to;          ///< hold the parameters of start and end, which may be nearer than doubles tell
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Overlay_part& a) {
-    return out << a.bezier << ' ' << a.from << ' ' << a.to;
+  friend std::ostream& operator<<(std::ostream& out, const Overlay_part& answer) {
+    return out << answer.bezier << ' ' << answer.from << ' ' << answer.to;
   }
 };
 

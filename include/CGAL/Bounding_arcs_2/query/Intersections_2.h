@@ -30,7 +30,9 @@ struct Piece_intersection {
   Intersection_kind kind = Intersection_kind::UNDECIDED;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Piece_intersection& a) { return out << a.a << ' ' << a.b; }
+  friend std::ostream& operator<<(std::ostream& out, const Piece_intersection& answer) {
+    return out << answer.a << ' ' << answer.b;
+  }
 };
 
 /// Common points without end: while the first piece runs from a_from up to a_to, the second one runs from b_from to
@@ -39,8 +41,8 @@ struct Piece_overlap {
   Bracket a_from, a_to, b_from, b_to;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Piece_overlap& a) {
-    return out << a.a_from << ' ' << a.a_to << ' ' << a.b_from << ' ' << a.b_to;
+  friend std::ostream& operator<<(std::ostream& out, const Piece_overlap& answer) {
+    return out << answer.a_from << ' ' << answer.a_to << ' ' << answer.b_from << ' ' << answer.b_to;
   }
 };
 
@@ -58,8 +60,8 @@ struct Curve_range {
   Bracket t;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Curve_range& a) {
-    return out << a.curve << ' ' << a.bezier << ' ' << a.t;
+  friend std::ostream& operator<<(std::ostream& out, const Curve_range& answer) {
+    return out << answer.curve << ' ' << answer.bezier << ' ' << answer.t;
   }
 };
 
@@ -70,8 +72,8 @@ template <class Point = Xy<double>> struct Intersection_2 {
   Curve_range a, b;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Intersection_2& a) {
-    return out << a.point << ' ' << a.a << ' ' << a.b;
+  friend std::ostream& operator<<(std::ostream& out, const Intersection_2& answer) {
+    return out << answer.point << ' ' << answer.a << ' ' << answer.b;
   }
 };
 
@@ -82,8 +84,8 @@ struct Overlap_2 {
   bool is_backwards = false;  ///< the second curve falls from b_from to b_to
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Overlap_2& a) {
-    return out << a.a_from << ' ' << a.a_to << ' ' << a.b_from << ' ' << a.b_to;
+  friend std::ostream& operator<<(std::ostream& out, const Overlap_2& answer) {
+    return out << answer.a_from << ' ' << answer.a_to << ' ' << answer.b_from << ' ' << answer.b_to;
   }
 };
 

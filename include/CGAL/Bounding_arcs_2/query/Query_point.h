@@ -46,8 +46,8 @@ template <class Point = Xy<double>> struct Closest_point {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Closest_point& a) {
-    return out << a.distance << ' ' << a.point << ' ' << a.place;
+  friend std::ostream& operator<<(std::ostream& out, const Closest_point& answer) {
+    return out << answer.distance << ' ' << answer.point << ' ' << answer.place;
   }
 };
 
@@ -68,8 +68,8 @@ template <class Point = Xy<double>> struct Signed_distance {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Signed_distance& a) {
-    return out << a.distance << ' ' << a.point << ' ' << a.place;
+  friend std::ostream& operator<<(std::ostream& out, const Signed_distance& answer) {
+    return out << answer.distance << ' ' << answer.point << ' ' << answer.place;
   }
 };
 
@@ -79,8 +79,8 @@ template <class Point = Xy<double>> struct Drawing_point {
   Curve_place place;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Drawing_point& a) {
-    return out << a.point << ' ' << a.place;
+  friend std::ostream& operator<<(std::ostream& out, const Drawing_point& answer) {
+    return out << answer.point << ' ' << answer.place;
   }
 };
 
@@ -99,8 +99,8 @@ template <class Point = Xy<double>> struct Drawing_distance {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Drawing_distance& a) {
-    return out << a.distance << ' ' << a.a << ' ' << a.b;
+  friend std::ostream& operator<<(std::ostream& out, const Drawing_distance& answer) {
+    return out << answer.distance << ' ' << answer.a << ' ' << answer.b;
   }
 };
 

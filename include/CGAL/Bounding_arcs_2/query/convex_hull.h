@@ -29,8 +29,8 @@ template <class Point = Xy<double>> struct Hull_piece {
   Point from_point, to_point;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Hull_piece& a) {
-    return out << a.from_point << ' ' << a.to_point << ' ' << a.from << ' ' << a.to;
+  friend std::ostream& operator<<(std::ostream& out, const Hull_piece& answer) {
+    return out << answer.from_point << ' ' << answer.to_point << ' ' << answer.from << ' ' << answer.to;
   }
 };
 
@@ -72,8 +72,8 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Width_of_drawing& a) {
-    return out << a.width << ' ' << a.along;
+  friend std::ostream& operator<<(std::ostream& out, const Width_of_drawing& answer) {
+    return out << answer.width << ' ' << answer.along;
   }
 };
 
@@ -91,8 +91,8 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Diameter_of_drawing& a) {
-    return out << a.diameter << ' ' << a.first_point << ' ' << a.second_point;
+  friend std::ostream& operator<<(std::ostream& out, const Diameter_of_drawing& answer) {
+    return out << answer.diameter << ' ' << answer.first_point << ' ' << answer.second_point;
   }
 };
 

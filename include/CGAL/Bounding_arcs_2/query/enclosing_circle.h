@@ -28,8 +28,8 @@ template <class Point = Xy<double>> struct Enclosing_circle {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Enclosing_circle& a) {
-    return out << a.center << ' ' << a.radius;
+  friend std::ostream& operator<<(std::ostream& out, const Enclosing_circle& answer) {
+    return out << answer.center << ' ' << answer.radius;
   }
 };
 

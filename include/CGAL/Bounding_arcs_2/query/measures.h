@@ -39,7 +39,9 @@ struct Centroid_bounds {
   Measure_bounds x, y;
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Centroid_bounds& a) { return out << a.x << ' ' << a.y; }
+  friend std::ostream& operator<<(std::ostream& out, const Centroid_bounds& answer) {
+    return out << answer.x << ' ' << answer.y;
+  }
 };
 
 /// Returns the length of all curves together.

@@ -31,8 +31,8 @@ template <class Point = Xy<double>> struct Ray_hit {
   }
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Ray_hit& a) {
-    return out << a.place << ' ' << a.point << ' ' << a.distance;
+  friend std::ostream& operator<<(std::ostream& out, const Ray_hit& answer) {
+    return out << answer.place << ' ' << answer.point << ' ' << answer.distance;
   }
 };
 

@@ -47,8 +47,8 @@ struct Curve_place {
   double t;  ///< of the Bezier piece, in [0, 1]
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Curve_place& a) {
-    return out << a.curve << ' ' << a.bezier << ' ' << a.t;
+  friend std::ostream& operator<<(std::ostream& out, const Curve_place& answer) {
+    return out << answer.curve << ' ' << answer.bezier << ' ' << answer.t;
   }
 };
 

@@ -37,7 +37,7 @@
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
 
 #include <cmath>
 #include <cstddef>

@@ -11,7 +11,6 @@
 #include "Half_tangents.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 namespace CGAL::Bounding_arcs::filter {

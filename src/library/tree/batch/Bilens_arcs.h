@@ -36,7 +36,6 @@
 #include "Joint_arcs.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <cmath>
 

@@ -12,7 +12,6 @@
 #include "arc_batch.h"
 
 #include <CGAL/Bounding_arcs_2/spiral/accurate_point.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
 
 #include <cstddef>

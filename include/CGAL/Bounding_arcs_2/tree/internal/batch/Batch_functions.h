@@ -25,14 +25,6 @@ template <class Construction> struct With_algebraic_boundary;
 
 namespace filter {
 
-// Formulas for thickness, and for arcs; src/library/tree/batch has them.
-struct Bca_batch;
-struct Bilens_batch;
-struct Spiral_fat_arc_batch;
-struct Bca_arcs;
-struct Bilens_arcs;
-struct Spiral_fat_arc_arcs;
-
 /// Formulas of a construction, void where there are none.
 template <class Construction> struct Formulas {
   using Type = void;
@@ -55,32 +47,10 @@ template <> struct Formulas<Spiral_fat_arc> {
 };
 template <class Construction> struct Formulas<With_algebraic_boundary<Construction>> : Formulas<Construction> {};
 
-/// The regions that formulas for arcs make, and whether their sides have two arcs.
+/// The regions that formulas for arcs make.
 template <class Arcs> inline constexpr Region_form FORM = Region_form::BCA;
 template <> inline constexpr Region_form FORM<Bilens_arcs> = Region_form::BILENS;
 template <> inline constexpr Region_form FORM<Spiral_fat_arc_arcs> = Region_form::SPIRAL_FAT_ARC;
-template <class Arcs> inline constexpr bool HAS_JOINTS = FORM<Arcs> != Region_form::BCA;
-
-using Bound_function = Bracket (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
-using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
-using Top_function = void (*)(const Top_question&, Top_answer&);
-
-using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
-                                       const Arc_places&);
-using Lanes_function = void (*)(const Few_question&, Few_answer&);
-
-/// The loops as they are compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
-template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
-template <class Isa, class Method> [[nodiscard]] Top_function compiled_top(int kind);
-template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
-template <class Isa, class Arcs> [[nodiscard]] Lanes_function compiled_lanes(int kind);
-/// The loops for few pieces; defined in src/library/tree/single_loops.cpp.
-template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
-template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
-/// What regions of a segment may err by, see Arc_points.h. \pre curve.kind > 0
-template <class Arcs> [[nodiscard]] Arc_room compiled_room(const Local_curve& curve, const Point_sizes& sizes);
-/// Sets the form in float, where it serves.
-[[nodiscard]] bool make_rough_form(const Local_curve& curve, Local_form<float>& rough);
 
 /// The functions that bound thickness, for function_for.
 template <class Method> struct Bounds_of_kind {
