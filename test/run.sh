@@ -42,6 +42,8 @@ fi
 [ $directory != build ] || directory=build/release
 # else ccache takes nothing that is compiled with a precompiled header
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+# clones share what is compiled
+export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}
 # in which sources need not wait for libraries that their programs link
 export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
 log=$(mktemp)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <string>
 
@@ -60,6 +61,20 @@ TEST(WrittenAnswers, HaveAnEmptyLineBehindEachChain) {
   EXPECT_EQ(std::count(outline.begin(), outline.end(), '\n'), 4);
   EXPECT_EQ(outline.substr(outline.size() - 2), "\n\n");
   EXPECT_EQ(written(square), "0 0\n1 0\n\n1 0\n1 1\n\n1 1\n0 0\n\n");
+}
+
+TEST(WrittenAnswers, HaveALineForEachSampleOfAnAxis) {
+  ba::Drawing_2<double> square;
+  square.add({Bezier({{0, 0}, {2, 0}}), Bezier({{2, 0}, {2, 2}}), Bezier({{2, 2}, {0, 2}}), Bezier({{0, 2}, {0, 0}})});
+  const ba::Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(square), 1e-3);
+  std::ptrdiff_t lines = 0;
+  for (const ba::Medial_edge& edge : axis.edges) lines += static_cast<std::ptrdiff_t>(edge.samples.size()) + 1;
+  const std::string text = written(axis);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines);
+  const ba::Medial_sample& first = axis.edges.front().samples.front();
+  EXPECT_EQ(text.substr(0, text.find('\n')), written(first));
+  EXPECT_EQ(written(first), written(first.center) + " " + written(first.radius) + " " + written(first.left) + " " +
+                                written(first.right));
 }
 
 }  // namespace

@@ -22,7 +22,6 @@
 #include "Work_limit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +33,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// The convex polygon of few samples, and the pieces that the boundary of the hull is made of.
 class Hull_outline {
  public:
   /// \param tolerance of heights of pieces that are no caps
@@ -77,7 +77,7 @@ class Hull_outline {
   bool look_at_all() {
     std::vector<Active> kept, next;
     for (Active& a : active_) {
-      if (is_inside(a.fat)) continue;
+      if (is_inside(a.fat, polygon_)) continue;
       if (height_of(a.fat) <= least_height(a)) keep_low(a);
       else kept.push_back(a);
     }
@@ -198,29 +198,13 @@ class Hull_outline {
     return sine > 0 ? sine * (std::min)(before, behind) + 4 * error_ : 0;
   }
 
-  // The rectangle of a piece, as in Hull_samples.
-  [[nodiscard]] bool is_inside(const Fat_arc_2& fat) const {
-    if (!(euclidean_norm(fat.arc.to - fat.arc.from) > 0) || polygon_.size() < 3) return false;
-    for (const Xy<double>& corner : rectangle(fat))
-      if (!is_in(corner, polygon_)) return false;
-    return true;
-  }
-  [[nodiscard]] static std::array<Xy<double>, 4> rectangle(const Fat_arc_2& fat) {
-    const Xy<double> chord = fat.arc.to - fat.arc.from;
-    const double length = euclidean_norm(chord);
-    const Xy<double> along = (1 / length) * chord, across = perp(along);
-    const double apex = -0.5 * fat.arc.bulge * length;
-    const double low = (std::min)(0.0, apex) - fat.radius, high = (std::max)(0.0, apex) + fat.radius;
-    const Xy<double> from = fat.arc.from - fat.radius * along, to = fat.arc.to + fat.radius * along;
-    return {from + low * across, from + high * across, to + low * across, to + high * across};
-  }
   // Marks the edges that a piece may be above of.
   void disturb(const Active& a, std::vector<char>& is_disturbed) const {
     if (polygon_.size() < 3 || !(euclidean_norm(a.fat.arc.to - a.fat.arc.from) > 0)) {
       std::fill(is_disturbed.begin(), is_disturbed.end(), 1);
       return;
     }
-    for (const Xy<double>& corner : rectangle(a.fat))
+    for (const Xy<double>& corner : rectangle_of(a.fat))
       if (!is_in(corner, polygon_)) is_disturbed[edge_below(corner)] = 1;
   }
   // The edge that is crossed on the way to a point outside from one inside, or one beside it. The corners are in the

@@ -17,6 +17,7 @@
 #include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,6 +65,25 @@ using Convex_polygon = std::vector<Xy<double>>;
   return (0.5 * std::fabs(fat.arc.bulge) * euclidean_norm(fat.arc.to - fat.arc.from) + fat.radius) * ROUNDED_UP<8>;
 }
 
+/// The corners of the rectangle that holds a piece; rounding moves them by less than the piece's error.
+/// \pre the ends of its chord are two points
+[[nodiscard]] inline std::array<Xy<double>, 4> rectangle_of(const Fat_arc_2& fat) {
+  const Xy<double> chord = fat.arc.to - fat.arc.from;
+  const double length = euclidean_norm(chord);
+  const Xy<double> along = (1 / length) * chord, across = perp(along);
+  const double apex = -0.5 * fat.arc.bulge * length;
+  const double low = (std::min)(0.0, apex) - fat.radius, high = (std::max)(0.0, apex) + fat.radius;
+  const Xy<double> from = fat.arc.from - fat.radius * along, to = fat.arc.to + fat.radius * along;
+  return {from + low * across, from + high * across, to + low * across, to + high * across};
+}
+/// Whether that rectangle is inside a polygon.
+[[nodiscard]] inline bool is_inside(const Fat_arc_2& fat, const Convex_polygon& polygon) {
+  if (!(euclidean_norm(fat.arc.to - fat.arc.from) > 0) || polygon.size() < 3) return false;
+  for (const Xy<double>& corner : rectangle_of(fat))
+    if (!is_in(corner, polygon)) return false;
+  return true;
+}
+
 /// The longer side of a drawing's box.
 [[nodiscard]] inline double extent_of(const Segment_hierarchy& curves) {
   const CGAL::Bbox_2& box = curves.boxes().box();
@@ -74,6 +94,8 @@ using Convex_polygon = std::vector<Xy<double>>;
   constexpr double FINE = 0x1p-20;  // of the extent; pieces are about the root of its inverse
   return tolerance < FINE * extent_of(curves);
 }
+
+/// The convex polygon of samples, and the pieces that may rise above it.
 class Hull_samples {
  public:
   /// \param tolerance of heights of pieces
@@ -110,7 +132,7 @@ class Hull_samples {
   void look_at(const Spiral_piece_2& piece, double tolerance, std::vector<Spiral_piece_2>& next,
                Convex_polygon& points) {
     const Fat_arc_2 fat = curves_.region(piece);
-    if (is_inside(fat)) return;
+    if (is_inside(fat, polygon_)) return;
     constexpr double LEAST = 64;  // times the error: of lower pieces samples need not be convex
     const double height = height_of(fat);
     const bool is_low = height <= (std::max)(tolerance, LEAST * curves_.error(piece.segment));
@@ -123,23 +145,6 @@ class Hull_samples {
     next.push_back(middle->first);
     next.push_back(middle->second);
     points.push_back(middle->first.last.point);
-  }
-
-  // The rectangle's corners: rounding moves them by less than error().
-  [[nodiscard]] bool is_inside(const Fat_arc_2& fat) const {
-    const Xy<double> chord = fat.arc.to - fat.arc.from;
-    const double length = euclidean_norm(chord);
-    if (!(length > 0) || polygon_.size() < 3) return false;
-    const Xy<double> along = (1 / length) * chord, across = perp(along);
-    const double apex = -0.5 * fat.arc.bulge * length;
-    const double low = (std::min)(0.0, apex) - fat.radius, high = (std::max)(0.0, apex) + fat.radius;
-    for (const double height : {low, high})
-      for (const bool is_end : {false, true}) {
-        const Xy<double> corner =
-            (is_end ? fat.arc.to + fat.radius * along : fat.arc.from - fat.radius * along) + height * across;
-        if (!is_in(corner, polygon_)) return false;
-      }
-    return true;
   }
 
   const Segment_hierarchy& curves_;

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -27,6 +28,11 @@ struct Medial_vertex {
   double radius = 0;
   std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
   Bracket clearance{};               ///< of the distance of the center from what bounds the regions: the radius
+
+  /// Writes center and radius, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Medial_vertex& answer) {
+    return out << answer.center << ' ' << answer.radius;
+  }
 };
 
 /// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.
@@ -34,12 +40,23 @@ struct Medial_sample {
   Xy<double> center;
   double radius = 0;
   Curve_place left{}, right{};
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Medial_sample& answer) {
+    return out << answer.center << ' ' << answer.radius << ' ' << answer.left << ' ' << answer.right;
+  }
 };
 
 /// Maximal discs that touch twice, between two vertices.
 struct Medial_edge {
   std::size_t from = 0, to = 0;        ///< vertices
   std::vector<Medial_sample> samples;  ///< the first and the last ones are the vertices
+
+  /// Writes a line for each sample.
+  friend std::ostream& operator<<(std::ostream& out, const Medial_edge& all) {
+    for (const Medial_sample& one : all.samples) out << one << '\n';
+    return out;
+  }
 };
 
 /// What came of a medial axis.
@@ -91,6 +108,12 @@ struct Medial_axis_2 {
   /// A complete axis has V - E = regions - holes (Euler).
   /// \complexity linear in the samples
   [[nodiscard]] bool is_valid() const;
+
+  /// Writes a line for each sample of each edge, and an empty line behind the edge.
+  friend std::ostream& operator<<(std::ostream& out, const Medial_axis_2& all) {
+    for (const Medial_edge& one : all.edges) out << one << '\n';
+    return out;
+  }
 };
 
 /// A way between two points (clearance_path.h).
@@ -107,6 +130,12 @@ struct Clearance_path {
   std::vector<Station> stations;  ///< from one point to the other one, in straight lines
   double bottleneck = 0;          ///< the least clearance
   double length = 0;
+
+  /// Writes a line for each station: its point and clearance.
+  friend std::ostream& operator<<(std::ostream& out, const Clearance_path& path) {
+    for (const Station& s : path.stations) out << s.point << ' ' << s.clearance << '\n';
+    return out;
+  }
 };
 
 /// How many edges end in each vertex; an edge that returns to its vertex counts twice.

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -28,6 +29,12 @@ struct Axis_branch {
   std::vector<Medial_sample> samples;  ///< one of a disc without edges; a way round has its first one again at the end
   double length = 0;                   ///< of the straight lines between centers
   std::size_t part = 0;                ///< the connected part of what is taken that it belongs to
+
+  /// Writes a line for each sample.
+  friend std::ostream& operator<<(std::ostream& out, const Axis_branch& all) {
+    for (const Medial_sample& one : all.samples) out << one << '\n';
+    return out;
+  }
 };
 
 /// Returns the axis as few long ways, or what of it has no larger discs.

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -25,6 +26,11 @@ struct Bisector_sample {
   double radius = 0;
   double t = 0;           ///< where it touches the first curve
   Curve_place touches{};  ///< where it touches the other one
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Bisector_sample& answer) {
+    return out << answer.center << ' ' << answer.radius << ' ' << answer.t << ' ' << answer.touches;
+  }
 };
 
 /// Discs between two curves: each touches the first one from the left, and the other one.

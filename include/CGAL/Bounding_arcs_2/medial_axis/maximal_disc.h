@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <ostream>
 
 namespace CGAL::Bounding_arcs {
 
@@ -21,6 +22,11 @@ struct Maximal_disc {
   Xy<double> center;
   double radius = 0;
   std::optional<Curve_place> touches;  ///< nothing where the radius is that of the place's curvature
+
+  /// Writes center and radius, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Maximal_disc& answer) {
+    return out << answer.center << ' ' << answer.radius;
+  }
 };
 
 /// Maximal discs of the regions that closed curves fill, as medial_axis takes them.
@@ -53,6 +59,11 @@ class Maximal_discs_2 {
 struct Inscribed_disc {
   Xy<double> center;
   Bracket radius{};
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Inscribed_disc& answer) {
+    return out << answer.center << ' ' << answer.radius;
+  }
 };
 
 /// Returns the largest disc of an axis.

@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <cstddef>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -29,6 +30,11 @@ struct Neck {
       0;  ///< the radius rises by that on each way to a narrower place or an end; infinite: none is left
 
   [[nodiscard]] double thickness() const { return 2 * disc.radius; }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Neck& answer) {
+    return out << answer.disc << ' ' << answer.prominence;
+  }
 };
 
 /// Returns the necks of what an axis is of, the narrowest first.

@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <cstddef>
+#include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -33,6 +34,12 @@ struct Thin_stretch {
   /// The smallest disc, and where it touches both sides.
   [[nodiscard]] const Medial_sample& disc() const { return samples[least]; }
   [[nodiscard]] double thickness() const { return 2 * disc().radius; }
+
+  /// Writes a line for each sample.
+  friend std::ostream& operator<<(std::ostream& out, const Thin_stretch& all) {
+    for (const Medial_sample& one : all.samples) out << one << '\n';
+    return out;
+  }
 };
 
 /// A corner or wedge of a smaller angle is a thin place, in radians: 60 degrees.
