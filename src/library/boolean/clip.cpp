@@ -13,7 +13,6 @@
 #include "../query/Intersection_search.h"
 #include "../query/Winding_search.h"
 #include "../tree/Segment_hierarchy.h"
-#include "curve_of_part.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -153,11 +152,6 @@ Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& reg
   check_closed(region.drawing());
   const Common_unit both(curves, region);
   return internal::Clipper(both.a(), both.b(), both.unit(), rule).result();
-}
-
-Bezier_curve_2<double> curve_of(const Clipped_part& part, const Drawing_2<double>& drawing) {
-  return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, false,
-                                 part.start, part.end);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -2,15 +2,15 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outlines as drawings, of boolean/boolean_operations.h.
+// Parts as curves and outlines as drawings, of boolean/boolean_operations.h and boolean/clip.h.
 //
 //   parts -> curves in doubles -> how far these are from the parts -> what is too small to be one -> drawing
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2/boolean/clip.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include "curve_of_part.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -24,6 +24,23 @@ namespace CGAL::Bounding_arcs::internal {
 namespace {
 
 constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
+
+/// Cuts a part out of a piece, in doubles. One that is shorter than these tell is straight.
+/// \param from, to hold the parameters of its ends
+/// \param is_reversed whether it runs against the piece
+/// \param start, end its ends, which it gets bit for bit
+[[nodiscard]] Bezier_curve_2<double> curve_of_part(const Bezier_curve_2<double>& piece, const Bracket& from,
+                                                   const Bracket& to, bool is_reversed, const Xy<double>& start,
+                                                   const Xy<double>& end) {
+  const double low = (is_reversed ? to : from).middle(), high = (is_reversed ? from : to).middle();
+  if (!(low < high)) return Bezier_curve_2<double>({start, end});
+  Bezier_curve_2<double> part = low == 0 && high == 1 ? piece : piece.subcurve(low, high);
+  if (is_reversed) part = part.reversed();
+  auto points = part.control_points();
+  points.front() = start;
+  points.back() = end;
+  return Bezier_curve_2<double>(std::move(points), part.weights());
+}
 
 /// How far the control points and the curve of subcurve(), which are computed in doubles, are from the true ones of
 /// nearly the same parameters, for a piece of degree n with coordinates up to M.
@@ -86,6 +103,11 @@ void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& dra
 }  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
+
+Bezier_curve_2<double> curve_of(const Clipped_part& part, const Drawing_2<double>& drawing) {
+  return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, false,
+                                 part.start, part.end);
+}
 
 Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Bounding_arc_tree_2*>& trees) {
   Drawing_2<double> result;

@@ -6,7 +6,7 @@
 
 #include "Close_walls.h"
 
-#include "../overlay/Joined_sets.h"
+#include "../overlay/Cut_curves.h"
 
 #include "../query/Closest_search.h"
 #include "../tree/Segment_hierarchy.h"

@@ -216,23 +216,8 @@ std::vector<std::uint32_t> Cut_curves::edges_between(std::uint32_t from, std::ui
 
 void Cut_curves::join_edges() {
   next_member_.assign(edges_.size(), NO_NUMBER);
-  std::vector<std::uint32_t> parent(edges_.size());
-  for (std::uint32_t e = 0; e < parent.size(); ++e) parent[e] = e;
-  std::vector<char> is_against(edges_.size(), 0);  // to the parent
-  const auto find = [&](std::uint32_t e) {
-    std::uint32_t root = e;
-    bool against = false;
-    for (; parent[root] != root; root = parent[root]) against = against != (is_against[root] != 0);
-    for (bool rest = against; parent[e] != root;) {  // the way gets shorter
-      const std::uint32_t next = parent[e];
-      const bool next_rest = rest != (is_against[e] != 0);
-      parent[e] = root;
-      is_against[e] = rest ? 1 : 0;
-      e = next;
-      rest = next_rest;
-    }
-    return std::pair(root, against);
-  };
+  // of sides, so that a class is two sets: sides to the left of its least edge, and those to the right of it
+  Joined_sets sides(2 * edges_.size());
   for (std::size_t i = 0; i < places_.number_of_overlaps(); ++i) {
     Place_number p[4];  // a_from, b_from, a_to, b_to
     for (std::size_t k = 0; k < 4; ++k) p[k] = places_.overlap_place(i, k);
@@ -247,17 +232,14 @@ void Cut_curves::join_edges() {
                b = runs_back ? edges_between(cut_of(p[3]), cut_of(p[1])) : edges_between(cut_of(p[1]), cut_of(p[3]));
     if (a.size() != b.size())
       throw std::logic_error(expected("overlap of two curves", "the same cuts on both", "others"));
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      const auto [u, u_against] = find(a[k]);
-      const auto [v, v_against] = find(runs_back ? b[b.size() - 1 - k] : b[k]);
-      if (u == v) continue;
-      const bool against = (u_against != v_against) != runs_back;
-      parent[(std::max)(u, v)] = (std::min)(u, v);
-      is_against[(std::max)(u, v)] = against ? 1 : 0;
-    }
+    for (std::size_t k = 0; k < a.size(); ++k)
+      for (const bool is_right : {false, true})
+        sides.join(side_of(a[k], is_right), side_of(runs_back ? b[b.size() - 1 - k] : b[k], is_right != runs_back));
   }
   for (auto e = static_cast<std::uint32_t>(edges_.size()); e-- > 0;) {
-    std::tie(edges_[e].representative, edges_[e].is_against) = find(e);
+    const Edge_side least = sides.find(side_of(e, false));
+    edges_[e].representative = edge_of(least);
+    edges_[e].is_against = is_reversed(least);
     if (edges_[e].representative == e) continue;
     next_member_[e] = next_member_[edges_[e].representative];
     next_member_[edges_[e].representative] = e;

@@ -15,15 +15,16 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_CUT_CURVES_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_CUT_CURVES_H
 
-#include "Joined_sets.h"
 #include "Meeting_places.h"
 
 #include "../query/Curve_joints.h"
 #include "../tree/Segment_hierarchy.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,6 +32,35 @@
 namespace CGAL::Bounding_arcs::internal {
 
 inline constexpr std::uint32_t NO_NUMBER = (std::numeric_limits<std::uint32_t>::max)();
+
+/// Sets of numbers below a count (Tarjan 1975), with the least one as that by which a set is known. A number takes four
+/// bytes, where Boost's sets take sixteen: each piece of a large drawing has one.
+class Joined_sets {
+ public:
+  explicit Joined_sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  [[nodiscard]] std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = find(i);
+    j = find(j);
+    parent_[(std::max)(i, j)] = (std::min)(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The side to the left of an edge, as it runs or against that: 2 times the edge's number, plus 1 against it.
+using Edge_side = std::uint32_t;
+[[nodiscard]] inline Edge_side side_of(std::uint32_t edge, bool is_reversed) {
+  return 2 * edge + (is_reversed ? 1 : 0);
+}
+[[nodiscard]] inline Edge_side other_side(Edge_side s) { return s ^ 1U; }
+[[nodiscard]] inline std::uint32_t edge_of(Edge_side s) { return s / 2; }
+[[nodiscard]] inline bool is_reversed(Edge_side s) { return s % 2 == 1; }
 
 /// Where a curve is cut.
 struct Curve_cut {

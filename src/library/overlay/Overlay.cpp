@@ -5,6 +5,8 @@
 // Bodies of Overlay.h.
 
 #include "Overlay.h"
+#include "Component_rays.h"
+#include "Vertex_order.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/Intersection_search.h"

@@ -13,9 +13,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_OVERLAY_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_OVERLAY_H
 
-#include "Component_rays.h"
 #include "Cut_curves.h"
-#include "Vertex_order.h"
 
 #include "../tree/Segment_hierarchy.h"
 
@@ -28,20 +26,13 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The side to the left of an edge, as it runs or against that: 2 times the edge's number, plus 1 against it.
-using Edge_side = std::uint32_t;
-[[nodiscard]] inline Edge_side side_of(std::uint32_t edge, bool is_reversed) {
-  return 2 * edge + (is_reversed ? 1 : 0);
-}
-[[nodiscard]] inline Edge_side other_side(Edge_side s) { return s ^ 1U; }
-[[nodiscard]] inline std::uint32_t edge_of(Edge_side s) { return s / 2; }
-[[nodiscard]] inline bool is_reversed(Edge_side s) { return s % 2 == 1; }
-
 /// Where doubles left something open: near a point, on two Bezier pieces, numbered through.
 struct Open_place {
   Xy<double> point;
   std::uint32_t bezier_a, bezier_b;
 };
+
+class Vertex_order;
 
 class Overlay {
  public:

@@ -9,7 +9,7 @@
 
 #include "Overlay.h"
 
-#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include "../tree/Segment_hierarchy.h"
 

@@ -8,7 +8,6 @@
 #define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_ARR_CURVE_TRAITS_2_H
 
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_2.h>
-#include <CGAL/Bounding_arcs_2/arrangement/Arr_point_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/region/variant.h>  // value_as, for what CGAL hands out
 

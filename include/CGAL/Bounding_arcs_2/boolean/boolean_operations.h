@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstddef>

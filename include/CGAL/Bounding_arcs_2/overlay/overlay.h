@@ -9,7 +9,6 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
@@ -20,6 +19,22 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+/// What an outline or an overlay is known to be.
+enum class Outline_status : std::uint8_t {
+  COMPLETE,  ///< exactly what was asked for; always so with exact decisions
+  UNDECIDED  ///< doubles left something open, and nothing else decides: there is no more than this
+};
+
+/// Where two curves meet in a way that was not decided.
+struct Undecided_meeting {
+  /// A Bezier piece of one of the drawings.
+  struct Of {
+    std::uint32_t operand = 0, curve = 0, bezier = 0;
+  };
+  Xy<double> at;  ///< about
+  Of a, b;
+};
 
 /// Says where an overlay cuts curves, beside the places where they meet.
 struct Overlay_options {

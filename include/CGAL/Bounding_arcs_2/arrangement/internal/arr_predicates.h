@@ -9,7 +9,6 @@
 #define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARR_PREDICATES_H
 
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_2.h>
-#include <CGAL/Bounding_arcs_2/arrangement/Arr_point_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
