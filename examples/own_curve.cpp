@@ -45,4 +45,8 @@ int main() {
     report<Spiral_fat_arc_traits_2<Kernel>>(eps);
     report<Bilens_traits_2<Kernel>>(eps);
   }
+  const Region_hierarchy_2<Bca_traits_2<Kernel>, Jet_spiral_2<Clothoid>> regions({{Clothoid(), 0, 1.5, 1e-15}}, 1e-3);
+  const auto found = closest_point(regions, {1, 0}, 1e-9);
+  std::printf("(1, 0) is %.6f from the point at the length %.4f\n", found->distance.upper, found->t);
+  std::printf("%zu arcs follow the curve within 1e-6\n", arc_chain(regions, 1e-6).arcs.size());
 }

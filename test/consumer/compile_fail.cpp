@@ -6,6 +6,7 @@
 
 #include <CGAL/Algebraic_kernel_for_circles_2_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Jet_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
 #include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,6 +24,9 @@ using Kernel =
 const ba::Bilens_traits_2<Kernel> lenses;
 
 const ba::Bounding_arc_tree_2 of_many(std::vector<ba::Bezier_curve_2<double>>{});
+
+struct Own_curve {};
+const ba::Bounding_arc_tree_2 of_own(std::vector<ba::Jet_spiral_2<Own_curve>>{});
 
 using Regions = ba::Region_hierarchy_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
 const auto count = &Regions::number_of_nodes;

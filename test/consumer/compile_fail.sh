@@ -9,7 +9,8 @@ cd "$1"
 compiler=$2
 try() { "$compiler" -frounding-math -fsyntax-only -I include "$@" 2>&1; }
 ! said=$(try -std=c++17 test/consumer/compile_fail.cpp) || { echo 'it compiles'; exit 1; }
-for sentence in 'number type with square roots' 'A tree takes a Drawing_2' 'takes traits of regions'; do
+for sentence in 'number type with square roots' 'A tree takes a Drawing_2' 'takes traits of regions' \
+  'make a Region_hierarchy_2 of them'; do
   [[ $said == *"$sentence"* ]] || { printf 'not said: %s\n%s\n' "$sentence" "$said"; exit 1; }
 done
 ! said=$(echo '#include <CGAL/Bounding_arcs_2.h>' | try -std=c++14 -x c++ -) || { echo 'it compiles as C++14'; exit 1; }

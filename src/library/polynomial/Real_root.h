@@ -2,8 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Real roots as exactly as is asked for. CGAL's Algebraic_kernel_d_1 has such numbers, too. From coefficients to doubles
-// around all roots it takes 3 to 6 times as long (test/benchmark/bench_roots.cpp: degrees 3 to 25, 60 to 800 bits).
+// Real roots as exactly as is asked for. CGAL's Algebraic_kernel_d_1 has such numbers, too. From coefficients to
+// doubles around all roots it takes 3 to 6 times as long (test/benchmark/bench_roots.cpp: degrees 3 to 25, 60 to 800
+// bits).
 
 #ifndef BOUNDING_ARCS_LIBRARY_POLYNOMIAL_REAL_ROOT_H
 #define BOUNDING_ARCS_LIBRARY_POLYNOMIAL_REAL_ROOT_H

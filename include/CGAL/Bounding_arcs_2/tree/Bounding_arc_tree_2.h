@@ -28,6 +28,7 @@ enum class Decisions {
 };
 
 class Segment_hierarchy;  // src/library/tree/Segment_hierarchy.h
+template <class Curve> class Jet_spiral_2;
 
 /// The tree that all algorithms descend: the spiral segments of a drawing's curves, cut once, under boxes. What is
 /// below a segment, pieces in bounding circular arcs, is made as a search goes there.
@@ -68,6 +69,12 @@ class Bounding_arc_tree_2 {
   template <class Curve> explicit Bounding_arc_tree_2(const std::vector<Curve>&, Decisions = Decisions::EXACT) {
     static_assert(std::is_void_v<Curve>,
                   "A tree takes a Drawing_2: add each curve to one, or all of them at once if they are a chain");
+  }
+  /// Refuses segments of curves of one's own.
+  template <class Curve>
+  explicit Bounding_arc_tree_2(const std::vector<Jet_spiral_2<Curve>>&, Decisions = Decisions::EXACT) {
+    static_assert(std::is_void_v<Curve>,
+                  "Curves of one's own have regions, closest points and chains: make a Region_hierarchy_2 of them");
   }
 
   /// Puts other curves in the place of curves first, ..., last - 1, after a control point was moved, say. These alone
