@@ -72,12 +72,14 @@ awk 'BEGIN {
   inner = sqrt(2) * 300 / (2 * sin(atan2(2, 1) - pi / 4))
   ends = "M60 420A%.1f %.1f 0 0 0 360 120"
   printf "<path style=\"fill:#cfe3f3\" d=\"" ends "A%.1f %.1f 0 0 1 60 420\"/>\n", outer, outer, inner, inner
-  printf "<path stroke=\"#0072b2\" d=\"" ends "\"/>\n<path stroke=\"#d55e00\" d=\"" ends "\"/>\n", outer, outer, inner, inner
+  printf "<path stroke=\"#0072b2\" d=\"" ends "\"/>\n", outer, outer
+  printf "<path stroke=\"#d55e00\" d=\"" ends "\"/>\n", inner, inner
   print "<path stroke=\"#000\" stroke-width=\"3\" d=\"M60 420Q210 420 360 120\"/>"
   print "<path stroke=\"#888\" stroke-dasharray=\"6 4\" d=\"M60 420L430 50\"/>"
   print "<path stroke=\"#009e73\" d=\"M60 420H240M360 120L395 50\"/>"
   print "<path stroke=\"#888\" d=\"M150 420A90 90 0 0 0 123.6 356.4M402.4 77.6A60 60 0 0 0 386.8 66.3\"/>"
-  split("38 442 p0|345 110 p1|245 426 T0|398 44 T1|136 444 \316\2610|408 92 \316\2611|190 274 D|254 312 C(t)", label, "|")
+  split("38 442 p0|345 110 p1|245 426 T0|398 44 T1|" \
+        "136 444 \316\2610|408 92 \316\2611|190 274 D|254 312 C(t)", label, "|")
   for (i = 1; i in label; ++i) {
     split(label[i], part, " ")
     printf "<text x=\"%d\" y=\"%d\">%s</text>\n", part[1], part[2], part[3]
@@ -88,10 +90,10 @@ awk 'BEGIN {
 }' > $images/frame.svg
 # The rooms, ground first: each uses those below it in the picture.
 awk 'BEGIN {
-  rows = split("exchange verify study|arrangement offset medial_axis|chain overlay boolean|tree query|frame spiral region|" \
-               "number polynomial curve arc", row, "|")
-  split("CGAL, proofs, studies|results for users|what results are made of|one tree, and searches|pieces and their regions|" \
-        "numbers and curves", what, "|")
+  rows = split("exchange verify study|arrangement offset medial_axis|chain overlay boolean|tree query|" \
+               "frame spiral region|number polynomial curve arc", row, "|")
+  split("CGAL, proofs, studies|results for users|what results are made of|one tree, and searches|" \
+        "pieces and their regions|numbers and curves", what, "|")
   print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"750\" height=\"" rows * 52 + 10 "\">"
   print "<title>rooms</title><style>text{font:16px sans-serif}rect{fill:#cfe3f3}.t{fill:#555}</style>"
   print "<rect width=\"100%\" height=\"100%\" style=\"fill:#fff\"/>"
