@@ -15,6 +15,7 @@ points=$'0.9 0.9\n-0.9 0.2\n0.2 -0.2\n0 0.6\n-0.5 -0.9'
 for method in bca sfa bilens fat-arc fat-biarc box oriented-box hull; do
   "$tool" build --method $method --eps 0.3 --format svg $images/loop.json -o $images/loop_$method.svg
 done
+"$tool" build --method bca --eps 100 --format svg $images/loop.json -o $images/loop_spirals.svg
 "$tool" arcs --eps 0.05 --format svg $images/loop.json -o $images/loop_arcs.svg
 "$tool" query closest --points - --format svg $rabbit -o $images/query_closest.svg <<< "$points"
 "$tool" query locate --points - --format svg $rabbit -o $images/query_locate.svg <<< "$points"
@@ -60,6 +61,51 @@ awk '
     printf "%s</g>\n%s%s\n</svg>\n", axis, offsets, curve
   }' "$scratch/offset.svg" "$scratch/axis.svg" | sed -E '/transform/!s/([0-9]\.[0-9]{2})[0-9]+/\1/g' \
   > $images/wrench.svg
+# The chord frame of (t, t^2) on [0, 1], with the names of symbols.md, and its two arcs.
+awk 'BEGIN {
+  pi = atan2(0, -1)
+  print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"620\" height=\"480\" viewBox=\"0 0 620 480\">"
+  print "<title>the chord frame of a piece</title>"
+  print "<style>path{fill:none;stroke-width:2}text{font:italic 18px serif}.n{font:16px sans-serif}</style>"
+  print "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"
+  outer = sqrt(2) * 300 / (2 * sin(pi / 4))
+  inner = sqrt(2) * 300 / (2 * sin(atan2(2, 1) - pi / 4))
+  ends = "M60 420A%.1f %.1f 0 0 0 360 120"
+  printf "<path style=\"fill:#cfe3f3\" d=\"" ends "A%.1f %.1f 0 0 1 60 420\"/>\n", outer, outer, inner, inner
+  printf "<path stroke=\"#0072b2\" d=\"" ends "\"/>\n", outer, outer
+  printf "<path stroke=\"#d55e00\" d=\"" ends "\"/>\n", inner, inner
+  print "<path stroke=\"#000\" stroke-width=\"3\" d=\"M60 420Q210 420 360 120\"/>"
+  print "<path stroke=\"#888\" stroke-dasharray=\"6 4\" d=\"M60 420L430 50\"/>"
+  print "<path stroke=\"#009e73\" d=\"M60 420H240M360 120L395 50\"/>"
+  print "<path stroke=\"#888\" d=\"M150 420A90 90 0 0 0 123.6 356.4M402.4 77.6A60 60 0 0 0 386.8 66.3\"/>"
+  split("38 442 p0|345 110 p1|245 426 T0|398 44 T1|" \
+        "136 444 \316\2610|408 92 \316\2611|190 274 D|254 312 C(t)", label, "|")
+  for (i = 1; i in label; ++i) {
+    split(label[i], part, " ")
+    printf "<text x=\"%d\" y=\"%d\">%s</text>\n", part[1], part[2], part[3]
+  }
+  print "<text class=\"n\" x=\"300\" y=\"350\" fill=\"#0072b2\">outer arc: touches T0</text>"
+  print "<text class=\"n\" x=\"60\" y=\"200\" fill=\"#d55e00\">inner arc: touches T1</text>"
+  print "</svg>"
+}' > $images/frame.svg
+# The rooms, ground first: each uses those below it in the picture.
+awk 'BEGIN {
+  rows = split("exchange verify study|arrangement offset medial_axis|chain overlay boolean|tree query|" \
+               "frame spiral region|number polynomial curve arc", row, "|")
+  split("CGAL, proofs, studies|results for users|what results are made of|one tree, and searches|" \
+        "pieces and their regions|numbers and curves", what, "|")
+  print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"750\" height=\"" rows * 52 + 10 "\">"
+  print "<title>rooms</title><style>text{font:16px sans-serif}rect{fill:#cfe3f3}.t{fill:#555}</style>"
+  print "<rect width=\"100%\" height=\"100%\" style=\"fill:#fff\"/>"
+  for (i = 1; i <= rows; ++i) {
+    y = i * 52 - 42
+    printf "<text class=\"t\" x=\"10\" y=\"%d\">%s</text>\n", y + 26, what[i]
+    for (k = split(row[i], room, " "); k > 0; --k)
+      printf "<rect x=\"%d\" y=\"%d\" width=\"124\" height=\"40\" rx=\"4\"/><text x=\"%d\" y=\"%d\">%s</text>\n",
+             220 + (k - 1) * 130, y, 230 + (k - 1) * 130, y + 26, room[k]
+  }
+  print "</svg>"
+}' > $images/rooms.svg
 bash doc/make_stability.sh "$tool"  # tables, too
 # Timed, so that it is never the same twice: on a quiet machine.
 "$tool" compare --queries --eps 1e-6 --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box --repeat 20 \

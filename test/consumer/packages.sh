@@ -126,6 +126,24 @@ printed=$(sed -n '/^It prints/,/^This is/p' "$source/README.md" | sed -n '/^```$
 cp "$source/examples/data/d_rabbit.json" "$scratch"
 [ "$(cd "$scratch" && ./readme)" = "$printed" ] ||
   fail 'the program in README.md prints something else'
+# Programs of the manual's pages compile, as one source: each in a namespace of its own.
+awk '
+  FNR == 1 { in_code = 0 }
+  /^```/ {
+    if (in_code && text ~ /int main\(\)/) {
+      includes = includes own
+      programs = programs "namespace page_" ++count " {\n" text "}\n"
+    }
+    in_code = $0 == "```cpp"
+    own = text = ""
+    next
+  }
+  in_code && /^#include/ { own = own $0 "\n"; next }
+  in_code { text = text $0 "\n" }
+  END { printf "%s%s// %d programs\n", includes, programs, count }' "$source"/doc/*.md > "$scratch/pages.cpp"
+[ "$(grep -c '^namespace page_' "$scratch/pages.cpp")" -ge 10 ] || fail 'pages have fewer programs'
+# shellcheck disable=SC2046
+quietly "$other" -std=c++17 -fsyntax-only -Wno-return-type "$scratch/pages.cpp" $(tells --cflags bounding_arcs)
 echo '#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>' > "$scratch/reader.cpp"
 grep -qe -lBounding_arcs_study <<< "$(tells --libs bounding_arcs_study)" || fail 'pkg-config does not tell the study'
 # shellcheck disable=SC2046

@@ -4,8 +4,8 @@
 #
 # The rules of style that a program can check: sources are as clang-format leaves them, no line is longer than 120
 # columns, files include from rooms before their own and all that they name, public classes have a comment, comments
-# begin with their subject, sentences of the first pages are short, tests stand in the folders of the rooms, and
-# README.md names the packages that scripts install.
+# begin with their subject, pages begin with a question and a picture, their sentences are short, tests stand in the
+# folders of the rooms, and README.md names the packages that scripts install.
 # Usage: run.sh [--fix]
 #   --fix  formats the sources first
 set -eu
@@ -58,7 +58,13 @@ refuse 'Classes of public headers without a comment right above:' "$(
     /^(template <.*> )?(class|struct|enum class) [A-Z]/ && !/;/ && !/^template <> / && above !~ /^\/\/\// {
       print FILENAME ":" FNR }
     !/^(template|  .*>$)/ { above = $0 }' {} +)"
-# Words count from blank to blank. Cells of tables count for the longest sentence only, and code does not count.
+mapfile -t pages < <(printf '%s\n' README.md doc/*.md | grep -v CHANGELOG)
+refuse 'Pages whose second line is not their question, **...?**, or without a picture in the first 30 lines:' "$(
+  awk 'FNR == 3 && /^\*\*.*\?\*\*$/ { asks[FILENAME] = 1 } FNR <= 30 && /!\[/ { shows[FILENAME] = 1 }
+    { seen[FILENAME] = 1 }
+    END { for (f in seen) if (f != "README.md" && !(f in asks && f in shows)) print f }' "${pages[@]}" | sort)"
+# Words count from blank to blank. Cells of tables count for the longest sentence only. Code, formulas that are set in
+# and the numbers of lists do not count.
 refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk '
   function finish() {
     if (words > 30) print FILENAME ":" FNR ": a sentence of " words " words ends"
@@ -72,14 +78,14 @@ refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk
       if (word[i] ~ /[.!?][])*]*$/) finish()
     }
   }
-  FNR == 1 || /^(```|#|\||\* |$)/ { finish() }
-  { in_table = /^\|/; gsub(/\]\([^)]*\)/, "]") }
+  FNR == 1 || /^(```|#|\||<!--| *\* | *[0-9]+\. |    |$)/ { finish() }
+  { in_table = /^\|/; gsub(/\]\([^)]*\)/, "]"); sub(/^ *[0-9]+\. /, "") }
   /^```/ { in_code = !in_code }
-  in_code || /^(```|#|\|-)/ { next }
+  in_code || /^(```|#|\|-|<!--|    )/ { next }
   in_table { cells = split($0, cell, "|"); for (c = 1; c <= cells; ++c) { take(cell[c]); finish() } next }
   { take($0) }
   END { finish(); for (f in total) if (total[f] > 16 * sentences[f]) print f ": " total[f] / sentences[f] " words" }
-  ' README.md doc/index.md)"
+  ' "${pages[@]}" | sort -V)"
 refuse 'README.md installs other packages than .ci/packages_build.txt lists:' \
   "$(diff <(sed -n 's/^apt-get install //p' README.md | tr ' ' '\n') .ci/packages_build.txt)"
 # What users can name is a list, so that a new name is a decision; --fix writes it.

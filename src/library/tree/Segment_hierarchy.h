@@ -60,8 +60,8 @@ class Segment_hierarchy {
     // A program with other exact numbers than the library's has no build(): it does not link.
     build(nullptr, nullptr);
   }
-  /// Takes the curves of another hierarchy in another unit, and cuts them where that does.
-  /// \pre these are the same curves but for a power of two, which takes nothing of them; that is no forest, nor parted
+  /// Takes the curves of another hierarchy in another unit, and cuts them where the other hierarchy cuts.
+  /// \pre the curves are the same but for a power of two, and scaling loses no digit; `cut` is no forest, nor parted
   Segment_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, const Segment_hierarchy& cut)
       : drawing_(std::move(drawing)), decisions_(cut.decisions_) {
     build(nullptr, &cut);
@@ -70,7 +70,7 @@ class Segment_hierarchy {
   Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions);
 
   /// Returns a hierarchy of the same curves whose segments are parts of these.
-  /// \param parts of all segments, in their order; what they are cut at is a joint
+  /// \param parts of all segments, in their order; each cut between two parts is a joint
   /// \pre this is no forest
   [[nodiscard]] Segment_hierarchy parted(const std::vector<Segment_part>& parts) const;
 
@@ -78,14 +78,14 @@ class Segment_hierarchy {
   /// where they are. None of them is a forest.
   /// \complexity linear in the number of segments, without a copy of them
   explicit Segment_hierarchy(const std::vector<std::shared_ptr<const Segment_hierarchy>>& members);
-  /// Returns a hierarchy of some of the Bezier pieces, with the segments that these have.
-  /// \param kept numbers of pieces, growing; each chain stays connected without the others
+  /// Returns a hierarchy of some of the Bezier pieces, with the segments of these pieces.
+  /// \param kept numbers of pieces, growing; each chain stays connected when the other pieces are gone
   /// \pre this is no forest
   [[nodiscard]] Segment_hierarchy of_pieces(const std::vector<std::uint32_t>& kept) const;
 
-  /// Puts other curves in the place of curves first, ..., last - 1, and cuts them alone. All is as it was after an
-  /// exception.
-  /// \pre curves are of doubles, and have such a range; this is no forest
+  /// Puts other curves in the place of curves first, ..., last - 1, and cuts the new curves alone. After an exception
+  /// the hierarchy is as it was.
+  /// \pre the curves of this hierarchy are of doubles; there are curves first, ..., last - 1; this is no forest
   void replace(std::size_t first, std::size_t last, Drawing_2<double> curves);
 
   /// The curves, rounded to doubles where they had other numbers.
@@ -143,8 +143,9 @@ class Segment_hierarchy {
   /// Where a Bezier piece is cut into segments. \pre this is not parted, and no forest
   [[nodiscard]] Spiral_parameters cuts(std::uint32_t bezier) const;
 
-  /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it
-  /// from the true region's: rounding of evaluation, of the curve and of cuts.
+  /// A bound of how far computed points of a segment are from the points of the exact curve at the same parameters. It
+  /// also bounds how far pieces of the segment are from their true regions. It counts rounding of evaluation, of the
+  /// curve and of cuts.
   [[nodiscard]] double error(std::uint32_t segment) const { return at(segment).error; }
   /// How far exact control points are from the rounded ones.
   [[nodiscard]] double rounding(std::uint32_t bezier) const {
@@ -154,8 +155,8 @@ class Segment_hierarchy {
     return member.of->rounding(bezier - member.first_bezier);
   }
 
-  /// Bezier pieces that turn nearer to an end, or back nearer to another turn, than segments are cut: their directions
-  /// are not told, and they may meet themselves.
+  /// Bezier pieces with a turn that no cut is made at: it is too near to an end, or to another turn. Directions are not
+  /// known there, and such a piece may meet itself.
   [[nodiscard]] const std::vector<std::uint32_t>& hidden_tips() const { return hidden_tips_; }
 
   /// The sample at a parameter inside a segment.
@@ -183,9 +184,9 @@ class Segment_hierarchy {
   [[nodiscard]] const Box_tree& boxes() const {
     return (*boxes_)([this] { return Box_tree(number_of_segments(), [this](std::size_t i) { return box_at(i); }); });
   }
-  /// Drops them until they are asked for again: those of a large drawing take much memory.
+  /// Drops the boxes until boxes() is called again: boxes of a large drawing take much memory.
   void drop_boxes() { boxes_ = std::make_shared<Made_once<Box_tree>>(); }
-  /// Whether they are made.
+  /// Whether the boxes are made.
   [[nodiscard]] bool has_boxes() const { return boxes_->made() != nullptr; }
 
  private:

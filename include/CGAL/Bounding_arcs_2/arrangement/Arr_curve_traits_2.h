@@ -23,11 +23,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A traits class for CGAL::Arrangement_2 of polynomial and rational Bezier pieces of any degree: a model of
-/// ArrangementTraits_2 and ArrangementDirectionalXMonotoneTraits_2, so that overlays, zones, point location, vertical
-/// decomposition, envelopes and General_polygon_set_2 (by Gps_traits_2) run on it.
-/// Functors share what they find out about pairs of curves, and copies of the traits share it with each other; points
-/// and curves remember what they lie on. So threads must not share them.
+/// The traits class that makes CGAL::Arrangement_2 run on Bezier and NURBS curves, polynomial or rational, of any
+/// degree.
 /// \code
 /// using Traits = Arr_curve_traits_2;
 /// CGAL::Arrangement_2<Traits> arrangement;
@@ -35,6 +32,18 @@ namespace CGAL::Bounding_arcs {
 /// CGAL::insert(arrangement, curves.begin(), curves.end());
 /// std::cout << arrangement.number_of_faces() << " faces\n";
 /// \endcode
+/// It is a model of ArrangementTraits_2 and ArrangementDirectionalXMonotoneTraits_2. So overlays, zones, point
+/// location, vertical decomposition and envelopes run on it, and General_polygon_set_2 does by Gps_traits_2.
+///
+/// arr_curves() makes curves of a drawing, Arr_curve_2(bezier) makes one of a Bezier curve, and Arr_point_2(x, y) makes
+/// a point. An edge knows its curve, its Bezier piece and brackets of its parameters. Curves are cut where x turns;
+/// such vertices have two edges.
+///
+/// Functors share what they find out about pairs of curves, and copies of the traits share it with each other. Points
+/// and curves remember what they lie on. So threads must not share traits, points or curves.
+///
+/// Take these traits where you need an algorithm of CGAL's. An Overlay_2 has faces and their areas sooner, and an
+/// Outline_2 has unions and differences.
 /// \guarantee exact: doubles with bounds decide most, algebraic numbers of the curves whose control points are the
 ///   doubles given what is left
 class Arr_curve_traits_2 {

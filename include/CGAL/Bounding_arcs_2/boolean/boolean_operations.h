@@ -59,12 +59,23 @@ struct Outline_chain {
   }
 };
 
-/// The boundary of a region: its inside is to the left of all chains.
+/// The boundary of a region, as unite(), intersect(), subtract() and symmetric_difference() return it: closed chains
+/// with the region to their left.
 /// \code
 /// const Outline_2 united = unite(tree, other);  // trees of closed curves, boolean_operations.h
 /// for (const Outline_chain& chain : united.chains)
 ///   for (const Outline_part& part : chain.parts) std::cout << part.start.x << ' ' << part.start.y << '\n';
 /// \endcode
+/// Chains are made of parts of the given curves; nothing is fitted. A part names its curve, and has a bracket of the
+/// parameter at each end. Chains round regions run counterclockwise, chains round holes clockwise, and `parent` nests
+/// them. No chains are an ordinary result: the region is empty.
+///
+/// `status` is COMPLETE for trees with exact decisions, which are the default. The outline is then that of the exact
+/// curves, to the last bit.
+///
+/// Take drawn_outline() to go on with the result: it makes curves of the parts, and tells how far rounding moved them.
+/// The new drawing can be combined, offset and written. Take clip() to cut open curves by a region, and overlay() for
+/// all faces and not one region.
 struct Outline_2 {
   std::vector<Outline_chain> chains;
   Outline_status status = Outline_status::COMPLETE;

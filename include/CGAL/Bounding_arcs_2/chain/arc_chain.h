@@ -48,11 +48,19 @@ struct Arc_chain_options {
   Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
 };
 
-/// Arcs within a tolerance of curves, and what was reached.
+/// Few circular arcs and segments within a tolerance of curves, as arc_chain() returns them. CAD programs and machines
+/// read these where they do not read splines.
 /// \code
 /// const Arc_chain chain = arc_chain(tree, 1e-4);
 /// for (const Chain_arc_2& arc : chain.arcs) std::cout << arc.from.x << ' ' << arc.from.y << ' ' << arc.bulge << '\n';
 /// \endcode
+/// An arc is given by its ends and its bulge, the tangent of a quarter of its angle, as in DXF; radius() and center()
+/// of Arc_2.h are rounded. Each arc has a certified bound of its distance from the piece of curve that it stands for.
+/// If `status` is COMPLETE, all bounds are at most eps.
+///
+/// By default arcs meet with common tangents and lie on both sides of the curve. Take Continuity::POSITION for about
+/// two thirds as many arcs, with corners of small angles. Take Chain_side::LEFT or RIGHT where the chain must not cross
+/// the curve; that takes more arcs.
 struct Arc_chain {
   std::vector<Chain_arc_2> arcs;  ///< in curve order
   double error = 0;               ///< the largest of an arc

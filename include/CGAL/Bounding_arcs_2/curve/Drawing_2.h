@@ -23,13 +23,24 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Several curves with names, closed or open, in an order. A curve is a chain of Bezier pieces that share their ends.
+/// Several curves with names, closed or open, in an order. Trees are made of a drawing, and all questions are asked of
+/// trees.
 /// \code
 /// Drawing_2<double> drawing;
 /// drawing.add(Bezier_curve_2<double>({{0, 0}, {1, 2}, {2, 0}}), "arch");
 /// drawing.add(B_spline_curve_2<double>::periodic(3, {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}), "ring");
 /// const Bounding_arc_tree_2 tree(drawing);
 /// \endcode
+/// A curve is a chain of Bezier pieces that share their ends. add() takes a Bezier curve, a B-spline or NURBS curve, or
+/// a chain. read_drawing() of curve/Curve_file.h makes a drawing of an SVG, DXF or JSON file.
+///
+/// Answers name places by numbers from 0: the curve in the drawing, the Bezier piece in the curve, and the parameter in
+/// [0, 1] of that piece. parameter() translates such a place to the curve's own parameter. Names are for people, and
+/// need not be unique. A curve is closed if its last point is its first one, to the last bit.
+///
+/// Take NT = double where coordinates are doubles, as those of files are. Take Exact_rational where they are exact
+/// numbers that doubles do not hold: verdicts are then those of the exact curves.
+/// \tparam NT the number type of coordinates, weights and parameters: double, a rational, CORE::Expr
 template <class NT> class Drawing_2 {
  public:
   using Number_type = NT;

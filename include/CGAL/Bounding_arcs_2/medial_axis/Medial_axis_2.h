@@ -27,7 +27,7 @@ struct Medial_vertex {
   Xy<double> center;
   double radius = 0;
   std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
-  Bracket clearance{};               ///< of the distance of the center from what bounds the regions: the radius
+  Bracket clearance{};               ///< holds the distance of the center from the boundary: the radius
 
   /// Writes center and radius, with a blank between.
   friend std::ostream& operator<<(std::ostream& out, const Medial_vertex& answer) {
@@ -85,21 +85,37 @@ struct Medial_axis_options {
 ///   for (const Medial_sample& s : edge.samples)
 ///     std::cout << s.center.x << ' ' << s.center.y << ' ' << s.radius << '\n';
 /// \endcode
+/// Along an edge each disc touches the boundary twice, and samples name both places. Edges end at vertices: where the
+/// axis branches, in convex corners with radius 0, and at maxima of curvature. Vertices are as good as doubles whatever
+/// the tolerance. Between samples the axis is within `eps` of a line by an estimate; axis_certificate() proves most
+/// axes.
+///
+/// Look at `status`. UNRESOLVED says that something is missing beside the places in `unresolved`.
+///
+/// Medial_axis_options has the fill rule. With `is_framed` the last curve is a frame, and all other curves in it are
+/// walls, open ones and points, too: the axis is then their Voronoi diagram.
+///
+/// Functions of the axis answer most questions: thin_stretches() and necks() find narrow places,
+/// largest_inscribed_disc() the largest disc, clearance_path() a way with much room, voronoi_cells() what is nearest to
+/// each curve. pruned() takes small branches away, axis_branches() joins edges to long ways, and axis_conics() writes
+/// few conics for CAD.
 struct Medial_axis_2 {
   Medial_axis_status status = Medial_axis_status::COMPLETE;
   std::size_t regions = 0;  ///< connected ones
-  std::size_t holes = 0;    ///< of all regions; without them vertices less edges are the regions, else less by these
+  std::size_t holes = 0;    ///< of all regions together: vertices - edges = regions - holes
   std::vector<Medial_vertex> vertices;
   std::vector<Medial_edge> edges;
   double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
   double error = 0;  ///< at least |clearance - radius| of all vertices
-  /// How far curves were moved where they nearly meet: the axis is that of the moved ones. At most 2^-40 of the size.
+  /// A bound of how far curves were moved where they nearly meet. The axis is that of the moved curves. The bound is at
+  /// most 2^-40 of the drawing's size.
   double moved = 0;
-  /// Where it is UNRESOLVED, and what was seen to be wrong is left out; if none, anywhere.
+  /// Places of an UNRESOLVED axis where a part that was seen to be wrong is left out. An UNRESOLVED axis without places
+  /// may be wrong anywhere.
   std::vector<Xy<double>> unresolved;
   std::vector<std::uint32_t> left_out;  ///< curves that bound nothing, as the rule fills both of their sides
   Medial_axis_options options;          ///< what it is of
-  /// The parts of curves that bound the regions; none in an axis that was read, of which they are found again.
+  /// The parts of curves that bound the regions. An axis that was read from a file has none: they are found again.
   std::shared_ptr<const internal::Bounding_parts> bounds;
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in

@@ -41,7 +41,8 @@ enum class Offset_side : std::uint8_t {
   RIGHT
 };
 
-/// Which offset.
+/// How curves are offset: joins, caps, sides and the fill rule. The defaults give round joins and caps, both sides, and
+/// the nonzero rule: all points of the offset are then at the distance |d|.
 /// \code
 /// Offset_options options;
 /// options.join = Offset_join::MITER;
@@ -93,12 +94,21 @@ enum class Offset_status : std::uint8_t {
   UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
 };
 
-/// The offset of a drawing at one distance.
+/// The offset of a drawing at one distance: chains of arcs and segments that do not cross.
 /// \code
-/// const Offset grown = offset(tree, 0.1, 1e-4);
+/// const Offset grown = offset(tree, 0.1, 1e-4);  // outwards; -0.1 is inwards
 /// for (const Offset_chain& chain : grown.chains)
 ///   for (const Offset_piece& piece : chain.pieces) std::cout << piece.arc.from.x << ' ' << piece.arc.bulge << '\n';
 /// \endcode
+/// Chains round regions run counterclockwise, chains round holes clockwise, and `parent` nests them. An offset inwards
+/// may have no chains: nothing is left. Each piece is an arc by its ends and bulge, and names the place of the curve
+/// that it is the offset of.
+///
+/// Look at `status`. COMPLETE says that `error` is at most the tolerance, and that no loop is missing but such as
+/// appear or vanish within the tolerance. UNRESOLVED says that chains may be missing; `unresolved` has a place.
+///
+/// Chains become polygons of CGAL by offset_polygons() of exchange/general_polygon.h, and path data of SVG by
+/// svg_path() of exchange/svg_path.h. To offset them again, make an Offset_source_2 of them.
 struct Offset {
   double distance = 0;
   std::vector<Offset_chain> chains;

@@ -27,10 +27,15 @@ namespace CGAL::Bounding_arcs {
 /// circle are two quadratics.
 [[nodiscard]] Drawing_2<double> drawing_of(const Offset& offset);
 
-/// The distances of all points of an offset's round pieces from the curves, less |d|.
+/// How far the points of an offset's round pieces are from where they should be. Each bracket holds a distance from the
+/// curves less |d|.
+/// \code
+/// const auto error = offset_error(tree, offset(tree, 0.1, 1e-4), 1e-6);
+/// if (error) std::cout << error->nearest.lower << " to " << error->farthest.upper << '\n';
+/// \endcode
 struct Offset_error {
-  Bracket nearest;   ///< of the point that is nearest to the curves, negative if nearer than |d|
-  Bracket farthest;  ///< of the point that is farthest from them
+  Bracket nearest;   ///< of the point that is nearest to the curves; negative if it is nearer than |d|
+  Bracket farthest;  ///< of the point that is farthest from the curves
 
   /// Writes the members in their order, with a blank between.
   friend std::ostream& operator<<(std::ostream& out, const Offset_error& answer) {
@@ -39,16 +44,18 @@ struct Offset_error {
 };
 
 /// Returns how far an offset's points are from where they should be.
-/// \param tree of the curves that were offset: where d < 0, of the open ones, or of what bounds what the closed ones
-///   enclose, which is drawing_of(Offset_source_2::outline()) where parts of them are inside
+/// \param tree the curves that were offset. An inset (d < 0) of closed curves is measured from the boundary of what
+///   they fill. If a part of the curves lies inside of that, give a tree of drawing_of(source.outline()) instead. An
+///   inset of open and closed curves has two sorts of chains: measure one sort at a time, with a tree of its curves
 /// \param eps how wide brackets may be, a length
 /// \return nothing for an offset without round pieces or a drawing without curves
-/// \guarantee certified for the arcs as they are given, but for their quadratics' rounding
+/// \guarantee certified for the arcs as they are given, but for the rounding of quadratic_of()
 /// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / eps
 [[nodiscard]] std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& tree, const Offset& offset,
                                                        double eps);
 
-/// Two offsets with the true one between them; their regions, not their chains, are inside and outside.
+/// Two offsets with the true one between them. The region of `inside` lies inside of the true offset's region, and that
+/// of `outside` holds it. Take a bracket where a verdict hangs on the offset, such as whether a tool fits.
 /// \code
 /// const Offset_bracket bracket = offset_bracket(closed, 0.1, 1e-4);
 /// std::cout << bracket.inside.chains.front().area << " < " << bracket.outside.chains.front().area << '\n';
@@ -57,16 +64,17 @@ struct Offset_bracket {
   Offset inside, outside;
 };
 
-/// Returns an offset between two.
-/// \param d a signed distance; of open curves alone |d| is that of the band
+/// Returns two offsets with the true one between them.
+/// \param d a signed distance; open curves alone have a band of width |d| on each side
 /// \param eps how wide the bracket is, in units of the coordinates, positive
-/// \param options with round joins and caps and both sides, for which alone distances tell what is inside
-/// \return offsets at distances less and more than d by eps / 4, each within eps / 4
+/// \param options with round joins and caps and both sides; other options are refused, as distances alone do not tell
+///   what is inside there
+/// \return the offsets at d - eps / 4 and at d + eps / 4, each within eps / 4
 /// \throws std::invalid_argument where |d| is not larger than eps, or the options are others, and as Offset_source_2
-/// \guarantee where both are COMPLETE: the distance of all points of `inside` from the curves, where d < 0 from what of
-///   them bounds, is one for which they belong to the true offset's region. The distance of points of `outside` is one
-///   for which they do not. Both may be d itself, but for rounding. Take a point on each side of the true offset, one
-///   nearest to the other: their distances from the curves differ by no more than eps
+/// \guarantee where both are COMPLETE: all points of `inside` belong to the true offset's region, and no point of
+///   `outside` does, but for points at the distance d itself up to rounding. Distances are from the curves, where d < 0
+///   from the boundary of what these fill. A point of `inside` and the point of `outside` nearest to it have distances
+///   that differ by no more than eps
 [[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps,
                                             const Offset_options& options = {});
 

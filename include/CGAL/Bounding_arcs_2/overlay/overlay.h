@@ -96,13 +96,23 @@ struct Overlay_face {
   std::optional<Overlay_side> way_out;
 };
 
-/// What curves cut the plane into. Face 0 is around all curves.
+/// What curves cut the plane into: vertices, edges and faces, decided exactly. Face 0 is around all curves.
 /// \code
 /// const Overlay_2 cells = overlay(tree, other);  // overlay.h
 /// cells.for_each_face([&](std::uint32_t face, const std::vector<int>& windings) {
 ///   if (windings[0] != 0 && windings[1] == 0) std::cout << cells.faces[face].boundaries.size() << '\n';
 /// });
 /// \endcode
+/// Vertices, edges and faces name each other by numbers from 0. An edge runs between two vertices, has a face on either
+/// side, and knows all curves that run along it. A face has its boundaries, the outer one first. Winding numbers tell
+/// which operands a face is inside of: for_each_face() visits all faces with theirs, windings() has those of one face.
+/// face_area() has two bounds of an area.
+///
+/// Curves may be open. They may touch, run together, fold back, or be points. With Overlay_options::at_joints edges
+/// also end where Bezier pieces join, so that each is a part of one piece.
+///
+/// Take boolean_operation() where you want one region and not all faces. Take Arr_curve_traits_2 where you need an
+/// algorithm of CGAL's arrangements; it is slower.
 struct Overlay_2 {
   std::vector<Overlay_vertex> vertices;
   std::vector<Overlay_edge> edges;

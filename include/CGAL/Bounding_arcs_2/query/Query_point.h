@@ -29,12 +29,18 @@ enum class Query_status : std::uint8_t {
   LIMIT_REACHED        ///< the bracket is wider: the search took as much work as one in a drawing of this size may take
 };
 
-/// A point of a drawing and its distance from the point that was asked about.
+/// The answer to closest_point(): the nearest point of a drawing, where it is on the curves, and how far away it is.
 /// \code
-/// if (const auto found = closest_point(tree, {1, 1}))
+/// if (const auto found = closest_point(tree, {1, 1}))  // nothing of an empty tree
 ///   std::cout << found->point << " on curve " << found->place.curve << ", " << found->distance.upper << " away\n";
 /// \endcode
-/// \tparam Point the kernel's point
+/// `distance` is a bracket: the true distance of the exact curves lies between `lower` and `upper`, which are some
+/// roundings apart. `point` is rounded; `place` names the curve, the Bezier piece and the parameter. Several points may
+/// be nearest, and the answer is one of them. `status` matters only if the bracket is too wide for you.
+///
+/// Take closest_points() for all points that are about as near, k_nearest_curves() for the nearest curves, and
+/// closest_points_of_all() for many points at once. Take signed_distance() where you also need to know the side.
+/// \tparam Point the point type of the kernel that was asked with
 template <class Point = Xy<double>> struct Closest_point {
   Bracket distance;  ///< of the exact curves
   Point point;       ///< on the curve but for rounding

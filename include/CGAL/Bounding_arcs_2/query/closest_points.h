@@ -15,12 +15,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Returns all points where the distance from q is least among neighbours along the curve and at most eps larger than
-/// the least of all, nearest ones first.
+/// Returns all local nearest points that are about as near as the nearest one, nearest ones first. A point of a
+/// curve is a local nearest one if no neighbour along the curve is nearer to q. It is returned if its distance is at
+/// most eps above the least one.
 /// \param eps a length, positive
 /// \return nothing of an empty tree; one point for an arc of points that are equally near
-/// \guarantee each bracket is certified, and none is missing but those that others stand for: which cannot be told from
-///   them in double
+/// \guarantee each bracket is certified. No such point is missing, except one that doubles cannot tell from a point
+///   that is returned
 /// \complexity the logarithm of the number of segments and the number of segments within the distance
 /// \throws std::invalid_argument for a point that is no number and unless eps is a positive number
 template <class Point = Default_kernel::Point_2>

@@ -30,15 +30,24 @@ enum class Decisions {
 class Segment_hierarchy;  // src/library/tree/Segment_hierarchy.h
 template <class Curve> class Jet_spiral_2;
 
-/// The tree that all algorithms descend: the spiral segments of a drawing's curves, cut once, under boxes. What is
-/// below a segment, pieces in bounding circular arcs, is made as a search goes there.
+/// The tree that all algorithms descend. Make one of a drawing, once, and ask it as often as you like.
 /// \code
 /// const Bounding_arc_tree_2 tree(drawing);
 /// const auto found = closest_point(tree, {1, 1});      // query/closest_point.h
 /// const auto paths = offset(tree, -0.1, 1e-4).chains;  // offset/Offset_source_2.h
 /// \endcode
-/// Copies are cheap: they share segments. Points of any kernel are asked about. Regions of other kinds, kept to a
-/// tolerance and over any kernel, are a Region_hierarchy_2 of it.
+/// A tree has the spiral segments of the drawing's curves, under boxes. Nothing is stored below a segment: a search
+/// that goes there halves the segment, and has each half in bounding circular arcs. So a tree has no tolerance; each
+/// question brings its own. Points of any kernel may be asked about.
+///
+/// Doubles may leave a verdict open, such as whether curves touch. With Decisions::EXACT, the default, exact arithmetic
+/// then decides. With Decisions::DOUBLE the answer is `undecided`; take it if your program can use that answer.
+/// Distances and measures are brackets in both cases, and hold the true number.
+///
+/// After an edit call replace(), which cuts only the new curves. Copies are cheap, as they share segments: copy a tree
+/// to keep it as it is while you edit the other one.
+///
+/// Take a Region_hierarchy_2 of the tree where you want the regions themselves, of any kind and over any kernel.
 class Bounding_arc_tree_2 {
  public:
   /// Makes the tree of a drawing.
@@ -50,8 +59,8 @@ class Bounding_arc_tree_2 {
   /// Makes the tree of a drawing that others may share.
   explicit Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>> drawing,
                                Decisions decisions = Decisions::EXACT);
-  /// Takes curves over exact numbers, which need not be doubles. Searches are in doubles and count their rounding in
-  /// bounds; what they leave open is decided by the numbers as they are.
+  /// Takes curves over exact numbers, which need not be doubles. Searches run in doubles, and their bounds count the
+  /// rounding of the numbers. Verdicts that searches leave open are decided by the exact numbers.
   explicit Bounding_arc_tree_2(const Drawing_2<Exact_rational>& drawing, Decisions decisions = Decisions::EXACT);
   /// Takes curves over any other numbers that a rational number stands for exactly.
   template <class NT>
@@ -77,13 +86,13 @@ class Bounding_arc_tree_2 {
                   "Curves of one's own have regions, closest points and chains: make a Region_hierarchy_2 of them");
   }
 
-  /// Puts other curves in the place of curves first, ..., last - 1, after a control point was moved, say. These alone
-  /// are cut, but for trees of exact numbers and those whose unit is or becomes another one. Copies of the tree keep
-  /// theirs.
+  /// Puts other curves in the place of curves first, ..., last - 1, after a control point was moved, say. Only the new
+  /// curves are cut. All curves are cut again in a tree of exact numbers, and where the unit of the drawing is not 1 or
+  /// changes. Copies of the tree keep the old curves.
   /// \throws std::out_of_range unless first <= last <= the number of curves, and as the constructor; the tree is then
   ///   as it was
-  /// \complexity as that of a tree of these curves, and the logarithm of the number of segments; linear in that number,
-  ///   without a cut, where there are more or fewer segments than before, or a copy shares them
+  /// \complexity that of a tree of the new curves, and the logarithm of the number of segments. The number itself, but
+  ///   no cut, where the number of segments changes, or where a copy shares the segments
   void replace(std::size_t first, std::size_t last, Drawing_2<double> curves);
 
   /// Tells whether segments of a Bezier piece share the sample between them bit for bit, and are in the boxes over
