@@ -18,12 +18,12 @@ int main() {
             Curve({{3, 0}, {3, -1}, {2, -1}}, {1, 1, 2}), Curve({{2, -1}, {1, -1}, {1, 0}}, {2, 1, 1})},
            "hole");
   const Bounding_arc_tree_2 a(plate), b(hole);
-  const Outline_2 rest = subtract(a, b);
+  const Outline_2 rest = difference(a, b);
   for (const Outline_chain& chain : rest.chains)
     for (const Outline_part& part : chain.parts)
       std::cout << "from (" << part.start.x << ", " << part.start.y << ") along "
                 << (part.operand == 0 ? "plate" : "hole") << " piece " << part.bezier
                 << (part.is_reversed ? " backwards" : "") << " to (" << part.end.x << ", " << part.end.y << ")\n";
-  const Bounding_arc_tree_2 region(outline_drawing(rest, {&a, &b}));  // for queries, offsets, another operation
+  const Bounding_arc_tree_2 region(outline_drawing({&a, &b}, rest));  // for queries, offsets, another operation
   std::cout << "area " << area(region, 1e-9).upper << '\n';
 }

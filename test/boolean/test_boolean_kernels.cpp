@@ -76,13 +76,13 @@ TEST(BooleanKernels, CountNumbersThatAreNoDoubles) {
   for (const int parts : {1, 3}) {
     const Exact_tree a(triangle({{0, 0}, {7, 1}, {1, 5}}, parts)), b(triangle({{4, 3}, {9, 4}, {6, 8}}, parts)),
         c(triangle({{7, 1}, {4, 3}, {8, 9}}, parts));
-    const Outline_2 touching = ba::intersect(a, b), along = ba::unite(a, c), beside = ba::intersect(a, c);
+    const Outline_2 touching = ba::intersection(a, b), along = ba::unite(a, c), beside = ba::intersection(a, c);
     EXPECT_EQ(touching.status, ba::Outline_status::COMPLETE);
     EXPECT_TRUE(touching.chains.empty()) << parts;  // a point
     ASSERT_EQ(along.chains.size(), 1u) << parts;
     EXPECT_EQ(along.chains.front().parts.size(), 5u) << parts;  // without what they share
     EXPECT_TRUE(beside.chains.empty()) << parts;
-    const ba::Drawn_outline drawn = ba::drawn_outline(along, {&a, &c});
+    const ba::Drawn_outline drawn = ba::drawn_outline({&a, &c}, along);
     EXPECT_GE(drawn.moved, (std::max)(a.rounding(), c.rounding())) << parts;
     EXPECT_LE(drawn.moved, 1e-13) << parts;
   }

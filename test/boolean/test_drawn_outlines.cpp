@@ -65,7 +65,7 @@ Drawing nudged_lattice_drawing(std::mt19937& random) {
 
 Drawn_outline drawn(const Operands& operands, Boolean_operation operation,
                     const Fill_rules& rules = Fill_rule::NONZERO) {
-  return ba::drawn_outline(operands.outline(operation, rules), operands.trees());
+  return ba::drawn_outline(operands.trees(), operands.outline(operation, rules));
 }
 
 std::size_t number_of_pieces(const Drawing& drawing) {
@@ -156,7 +156,7 @@ TEST(DrawnOutlines, CountTheRoundingOfCuts) {
     const Point start{CGAL::to_double(from.x), CGAL::to_double(from.y)};
     Outline_2 outline;
     outline.chains.push_back({{{0, 0, 0, {cut, cut}, {1, 1}, false, start, points.back()}}, true, std::nullopt});
-    const Drawn_outline found = ba::drawn_outline(outline, Operands({drawing}).trees());
+    const Drawn_outline found = ba::drawn_outline(Operands({drawing}).trees(), outline);
     const auto written = ba::exact_bezier(found.drawing.curves().front().beziers.front());
     for (int j = 0; j <= POINTS; ++j) {
       const Exact share = Exact(j) / Exact(POINTS);
@@ -184,15 +184,15 @@ TEST(DrawnOutlines, LeaveOutWhatDoublesDoNotTellFromAPoint) {
     const Operands operands({first, nudged(first, random)});
     const Fill_rules rule = Fill_rule::NONZERO;
     const Outline_2 outline = operands.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, rule);
-    const Drawn_outline found = ba::drawn_outline(outline, operands.trees()),
-                        whole = ba::drawn_outline(outline, operands.trees(), {false});
+    const Drawn_outline found = ba::drawn_outline(operands.trees(), outline),
+                        whole = ba::drawn_outline(operands.trees(), outline, {false});
     const std::string name = "case " + std::to_string(i);
     expect_drawn(found, name);
     expect_drawn(whole, name);
     EXPECT_GE(found.moved, whole.moved) << name;
     EXPECT_LE(found.moved, 2 * whole.moved) << name;
     EXPECT_EQ(parts_of(whole.outline, false), parts_of(outline, false)) << name;
-    EXPECT_EQ(number_of_pieces(whole.drawing), number_of_pieces(ba::outline_drawing(outline, operands.trees())));
+    EXPECT_EQ(number_of_pieces(whole.drawing), number_of_pieces(ba::outline_drawing(operands.trees(), outline)));
     for (const auto& curve : found.drawing.curves())
       for (const Bezier& b : curve.beziers) {
         double size = 0;

@@ -172,7 +172,7 @@ std::size_t offsets_and_axes() {
   count += (largest_inscribed_disc(tree, axis) ? 1u : 0u) + (clearance_path(tree, axis, {0, 1}, {0, 2}) ? 1u : 0u) +
            (Maximal_discs_2(tree)({0, 0, 0.25}) ? 1u : 0u) +
            Bisector_2(drawing.curves()[0].beziers[0], tree, 1).sample(0.1).size();
-  return count + trimmed(std::move(axis), tree, {0.5, 0}).edges.size() +
+  return count + trimmed(tree, std::move(axis), {0.5, 0}).edges.size() +
          intersections(tree, Bounding_arc_tree_2(line_drawing(tree, {0, 1}, {1, 0}))).points.size() +
          (do_intersect(tree, Bounding_arc_tree_2(ray_drawing(tree, {0, 1}, {1, 0}))) ? 1u : 0u);
 }

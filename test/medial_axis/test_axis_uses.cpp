@@ -250,8 +250,8 @@ TEST(TrimmedAxis, HasNoEndsWithNearFeet) {
   const ba::Bounding_arc_tree_2 index(drawing);
   const Medial_axis_2 axis = axis_of(drawing);
   const double right = std::acos(0.0);
-  EXPECT_EQ(ba::trimmed(axis, index, {right - 1e-6, 0}).edges.size(), 5U);
-  const Medial_axis_2 middle = ba::trimmed(axis, index, {right + 1e-6, 0});
+  EXPECT_EQ(ba::trimmed(index, axis, {right - 1e-6, 0}).edges.size(), 5U);
+  const Medial_axis_2 middle = ba::trimmed(index, axis, {right + 1e-6, 0});
   ASSERT_EQ(middle.edges.size(), 1U);
   EXPECT_EQ(middle.vertices.size(), 2U);
   expect_sound(drawing, middle, 1e-6);
@@ -264,11 +264,11 @@ TEST(TrimmedAxis, HasNoEndsWithNearFeet) {
     chain.emplace_back(std::move(p), quarter.weights());
   }
   const Drawing ellipse = drawing_of(chain);
-  const Medial_axis_2 less = ba::trimmed(axis_of(ellipse), ba::Bounding_arc_tree_2(ellipse), {0, 0.6});
+  const Medial_axis_2 less = ba::trimmed(ba::Bounding_arc_tree_2(ellipse), axis_of(ellipse), {0, 0.6});
   EXPECT_NEAR(vertex_at(less, {1.2, 0}, 0.01).center.x, 1.2, 0.01);
   EXPECT_LE(vertex_at(less, {1.2, 0}, 0.01).center.x, 1.2 + 1e-12);
-  EXPECT_THROW((void)ba::trimmed(axis, index, {3, 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::trimmed(axis, index, {1, -1}), std::invalid_argument);
+  EXPECT_THROW((void)ba::trimmed(index, axis, {3, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::trimmed(index, axis, {1, -1}), std::invalid_argument);
 }
 
 TEST(TrimmedAxis, KeepsRegionsAndHoles) {
@@ -279,7 +279,7 @@ TEST(TrimmedAxis, KeepsRegionsAndHoles) {
     const ba::Bounding_arc_tree_2 index(c.drawing);
     std::size_t edges = c.axis.edges.size();
     for (const double angle : {0.0, 0.5, 1.0, 2.0}) {
-      const Medial_axis_2 less = ba::trimmed(c.axis, index, {angle, 0});
+      const Medial_axis_2 less = ba::trimmed(index, c.axis, {angle, 0});
       expect_sound(c.drawing, less, 1e-4);
       EXPECT_LE(less.edges.size(), edges);
       EXPECT_GT(less.edges.size(), 0U);

@@ -59,7 +59,7 @@ class Bounds {
  private:
   void add_outline(const Axis_case& of, bool are_slits_walls) {
     const ba::Bounding_arc_tree_2 tree(of.drawing);
-    for (const auto& curve : ba::drawn_outline(ba::outline(tree, of.options.rule), {&tree}, {false}).drawing.curves())
+    for (const auto& curve : ba::drawn_outline({&tree}, ba::outline(tree, of.options.rule), {false}).drawing.curves())
       for (const Bezier& piece : curve.beziers) {
         if (!is_slit(piece) || are_slits_walls) walls_.add({piece});
         else has_slits_ = true;

@@ -153,9 +153,9 @@ TEST(NestedCurves, AreNotSeenByWhatIsAskedOfTheAxis) {
   const auto disc = ba::largest_inscribed_disc(tree, axis);
   ASSERT_TRUE(disc);
   EXPECT_NEAR(disc->radius.lower, 1, 1e-12);
-  const Medial_axis_2 cut = ba::trimmed(axis, tree, {0, 0.2});
+  const Medial_axis_2 cut = ba::trimmed(tree, axis, {0, 0.2});
   EXPECT_LE(cut.error, 1e-12);
-  expect_same(cut, ba::trimmed(expected, of_outer, {0, 0.2}));
+  expect_same(cut, ba::trimmed(of_outer, expected, {0, 0.2}));
   const auto path = ba::clearance_path(tree, axis, {0.5, 1}, {5.5, 1});
   ASSERT_TRUE(path);
   EXPECT_NEAR(path->bottleneck, 0.5, 1e-12);
@@ -176,10 +176,10 @@ TEST(NestedCurves, AreNotSeenByNewLeaves) {
   ASSERT_EQ(axis.status, Status::COMPLETE);
   ASSERT_EQ(axis.left_out, Numbers{1});
   const ba::Feet_apart apart{1, 0};
-  const Medial_axis_2 cut = ba::trimmed(axis, ba::Bounding_arc_tree_2(nest), apart);
+  const Medial_axis_2 cut = ba::trimmed(ba::Bounding_arc_tree_2(nest), axis, apart);
   EXPECT_LT(cut.edges[0].samples.size() + cut.edges.back().samples.size(),
             axis.edges[0].samples.size() + axis.edges.back().samples.size());
-  expect_same(cut, ba::trimmed(expected, ba::Bounding_arc_tree_2(outer), apart));
+  expect_same(cut, ba::trimmed(ba::Bounding_arc_tree_2(outer), expected, apart));
   EXPECT_LE(cut.error, 1e-12 * size_of(nest));
 }
 

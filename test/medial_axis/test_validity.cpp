@@ -115,7 +115,7 @@ TEST(ValidAxis, IsEachOfBundledDrawings) {
     const ba::Medial_axis_2 axis = ba::medial_axis(tree, 1e-4 * (box.xmax() - box.xmin()));
     EXPECT_TRUE(axis.is_valid()) << name;
     EXPECT_TRUE(ba::pruned(axis, 1e-2 * (box.xmax() - box.xmin())).is_valid()) << name;
-    EXPECT_TRUE(ba::trimmed(axis, tree, {0.5, 0}).is_valid()) << name;
+    EXPECT_TRUE(ba::trimmed(tree, axis, {0.5, 0}).is_valid()) << name;
   }
 }
 

@@ -93,7 +93,7 @@ Answers axes(const Drawing& unscaled, double scale) {
   to.of("pruned axis");
   add(to, ba::pruned(axis, scale * 0.002));
   to.of("trimmed axis");
-  add(to, ba::trimmed(axis, index, {1, scale * 0.001}));
+  add(to, ba::trimmed(index, axis, {1, scale * 0.001}));
   to.of("largest disc");
   if (const auto disc = ba::largest_inscribed_disc(index, axis)) to.point(disc->center), to.lengths(disc->radius);
   to.of("maximal discs");

@@ -62,7 +62,7 @@ inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point
 // What bounds the regions that closed curves fill: parts of them.
 inline Drawing walls_of(const Drawing& drawing, ba::Fill_rule rule) {
   const ba::Bounding_arc_tree_2 tree(drawing);
-  return ba::drawn_outline(ba::outline(tree, rule), {&tree}, {false}).drawing;
+  return ba::drawn_outline({&tree}, ba::outline(tree, rule), {false}).drawing;
 }
 
 // Complete, with Euler's relation; no disc has a wall in it, each touches at both feet, and between samples both are

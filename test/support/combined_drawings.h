@@ -95,7 +95,7 @@ template <class Tree> Combined combined(const Drawing& a, const Drawing& b, cons
     Combined made{outline_of(tree_a, tree_b, how), {}};
     if (made.outline.status == ba::Outline_status::UNDECIDED) throw Fault("undecided", "no outline");
     if (made.outline.status != ba::Outline_status::COMPLETE) throw Fault("incomplete", "another status");
-    made.rounded = ba::outline_drawing(made.outline, {&tree_a, &tree_b});
+    made.rounded = ba::outline_drawing({&tree_a, &tree_b}, made.outline);
     return made;
   });
 }

@@ -104,12 +104,12 @@ void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& dra
 
 namespace CGAL::Bounding_arcs {
 
-Bezier_curve_2<double> curve_of(const Clipped_part& part, const Drawing_2<double>& drawing) {
+Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_part& part) {
   return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, false,
                                  part.start, part.end);
 }
 
-Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Bounding_arc_tree_2*>& trees) {
+Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline) {
   Drawing_2<double> result;
   for (const Outline_chain& given : outline.chains) {
     std::vector<Bezier_curve_2<double>> chain;
@@ -120,7 +120,7 @@ Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<co
   return result;
 }
 
-Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<const Bounding_arc_tree_2*>& trees,
+Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline,
                             const Outline_drawing_options& options) {
   using internal::UP;
   Drawn_outline result;

@@ -119,7 +119,7 @@ class Axis_trimmer {
 
 namespace CGAL::Bounding_arcs {
 
-Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2& tree, const Feet_apart& apart) {
+Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Feet_apart& apart) {
   const Unit& unit = tree.unit();
   const auto bounds = internal::bounds_of(axis, tree.in_unit());
   return internal::out(unit, internal::Axis_trimmer(internal::in(unit, std::move(axis)), bounds->segments, apart.angle,

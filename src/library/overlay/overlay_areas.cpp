@@ -110,8 +110,8 @@ Measure_bounds Boundary_sum::bounds(double eps) const {
 
 namespace CGAL::Bounding_arcs {
 
-Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face,
-                         const std::vector<const Bounding_arc_tree_2*>& trees, double eps) {
+Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
+                         std::uint32_t face, double eps) {
   check_tolerance(eps);
   const Overlay_face& of = overlay.faces.at(face);
   if (!of.is_bounded) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));

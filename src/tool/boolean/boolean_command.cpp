@@ -91,7 +91,7 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   if (outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
                       message_of_undecided(outline.undecided, drawings, words.kernel));
-  made.drawn = ba::drawn_outline(outline, trees);
+  made.drawn = ba::drawn_outline(trees, outline);
   return made;
 }
 

@@ -59,8 +59,8 @@ struct Outline_chain {
   }
 };
 
-/// The boundary of a region, as unite(), intersect(), subtract() and symmetric_difference() return it: closed chains
-/// with the region to their left.
+/// The boundary of a region, as unite(), intersection(), difference() and symmetric_difference() return it: closed
+/// chains with the region to their left.
 /// \code
 /// const Outline_2 united = unite(tree, other);  // trees of closed curves, boolean_operations.h
 /// for (const Outline_chain& chain : united.chains)
@@ -97,7 +97,7 @@ struct Outline_drawing_options {
 
 /// An outline as a drawing in doubles, and what that is of.
 /// \code
-/// const Drawn_outline rest = drawn_outline(subtract(a, b), {&a, &b});
+/// const Drawn_outline rest = drawn_outline({&a, &b}, difference(a, b));
 /// std::cout << rest.drawing.curves().size() << " curves, moved by " << rest.moved << " at most\n";
 /// \endcode
 struct Drawn_outline {
@@ -131,13 +131,13 @@ struct Drawn_outline {
   return boolean_operation({&a, &b}, Boolean_operation::UNION, rules);
 }
 /// Returns the boundary of what both trees fill. See boolean_operation.
-[[nodiscard]] inline Outline_2 intersect(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
-                                         const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 intersection(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                            const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&a, &b}, Boolean_operation::INTERSECTION, rules);
 }
 /// Returns the boundary of what the first tree fills and the second one does not. See boolean_operation.
-[[nodiscard]] inline Outline_2 subtract(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
-                                        const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 difference(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                          const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&a, &b}, Boolean_operation::DIFFERENCE, rules);
 }
 /// Returns the boundary of what one tree fills and not the other. See boolean_operation.
@@ -146,21 +146,20 @@ struct Drawn_outline {
   return boolean_operation({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rules);
 }
 
-/// Returns an outline as a drawing, outline_drawing(unite(a, b), {&a, &b}): curve i is chain i, made of Bezier pieces
+/// Returns an outline as a drawing, outline_drawing({&a, &b}, unite(a, b)): curve i is chain i, made of Bezier pieces
 /// that are parts of the given ones.
 /// \param trees those that the outline was made of, in their order
 /// \guarantee topology and sources are the outline's; coordinates are rounded, as parts of curves are cut in doubles
-[[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
-                                                const std::vector<const Bounding_arc_tree_2*>& trees);
+[[nodiscard]] Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                                const Outline_2& outline);
 
 /// Returns an outline as a drawing that can be written, read and combined again, and how far rounding moved it.
 /// \param trees those that the outline was made of, in their order
 /// \guarantee `moved` is certified. It counts the brackets of ends, the rounding of cuts, and that of trees whose
 ///   numbers are no doubles. Points of the plane that are farther than that from the outline keep their side
 /// \complexity linear in the number of parts
-[[nodiscard]] Drawn_outline drawn_outline(const Outline_2& outline,
-                                          const std::vector<const Bounding_arc_tree_2*>& trees,
-                                          const Outline_drawing_options& options = {});
+[[nodiscard]] Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                          const Outline_2& outline, const Outline_drawing_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

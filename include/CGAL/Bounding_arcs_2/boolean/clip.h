@@ -66,7 +66,7 @@ struct Clipped_2 {
 
 /// Returns a part as a curve: cut out in doubles, with the part's ends bit for bit.
 /// \param drawing that of the tree that was clipped
-[[nodiscard]] Bezier_curve_2<double> curve_of(const Clipped_part& part, const Drawing_2<double>& drawing);
+[[nodiscard]] Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_part& part);
 
 }  // namespace CGAL::Bounding_arcs
 

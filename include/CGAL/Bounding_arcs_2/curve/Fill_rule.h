@@ -32,7 +32,7 @@ enum class Fill_rule : std::uint8_t { NONZERO, EVEN_ODD };
 /// What the curves of several drawings fill: one rule for all of them, or one for each.
 /// \code
 /// unite(tree, other, Fill_rule::EVEN_ODD);
-/// subtract(tree, other, {Fill_rule::NONZERO, Fill_rule::EVEN_ODD});
+/// difference(tree, other, {Fill_rule::NONZERO, Fill_rule::EVEN_ODD});
 /// \endcode
 class Fill_rules {
  public:

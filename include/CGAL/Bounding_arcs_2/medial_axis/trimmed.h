@@ -35,7 +35,7 @@ struct Feet_apart {
 /// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
 /// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0
 /// \complexity linear in the samples
-[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2& tree, const Feet_apart& apart);
+[[nodiscard]] Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Feet_apart& apart);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -183,7 +183,7 @@ struct Overlay_2 {
 /// \code
 /// const Overlay_2 cells = overlay(tree);
 /// for (std::uint32_t face = 1; face < cells.faces.size(); ++face)
-///   std::cout << face_area(cells, face, {&tree}, 1e-9).lower << '\n';
+///   std::cout << face_area({&tree}, cells, face, 1e-9).lower << '\n';
 /// \endcode
 /// \param face the number of a face, bounded
 /// \param trees those that the overlay was made of, in their order
@@ -192,8 +192,8 @@ struct Overlay_2 {
 /// \guarantee certified; for polynomial curves the nearest doubles, but for what parameters of vertices leave open
 /// \complexity some tens of microseconds an edge; for rational curves pieces as the third root of 1 / eps
 /// \throws std::invalid_argument if the face is unbounded, or eps below 0
-[[nodiscard]] Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face,
-                                       const std::vector<const Bounding_arc_tree_2*>& trees, double eps);
+[[nodiscard]] Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
+                                       std::uint32_t face, double eps);
 
 }  // namespace CGAL::Bounding_arcs
 
