@@ -5,8 +5,8 @@
 // A curve piece relative to a point, as polynomials in the Bernstein basis over exact numbers or double-doubles, and
 // the two number types' common conversions.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_WEIGHTED_PIECE_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_WEIGHTED_PIECE_H
+#ifndef BOUNDING_ARCS_LIBRARY_VERIFY_WEIGHTED_PIECE_H
+#define BOUNDING_ARCS_LIBRARY_VERIFY_WEIGHTED_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
 #include <CGAL/number_utils.h>
 
@@ -27,15 +28,13 @@
 
 namespace CGAL::Bounding_arcs::verify {
 
-/// x over NT, an exact type or Double_double: without error, or with its error bound.
+/// A floating number over NT, an exact type or Double_double: without error.
 template <class NT, class Source> [[nodiscard]] NT number_from(const Source& x) {
   if constexpr (!std::is_same_v<NT, Double_double>) {
     return Exact_number<Source>::make(x);
-  } else if constexpr (std::is_floating_point_v<Source>) {
+  } else {
     const double hi = static_cast<double>(x);
     return Double_double(hi, static_cast<double>(x - hi), 0);
-  } else {
-    return to_double_double(Exact_number<Source>::make(x));
   }
 }
 template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) {
@@ -112,24 +111,22 @@ template <class NT> [[nodiscard]] Bernstein_polynomial<NT> from_taylor(const std
   return Bernstein_polynomial<NT>::from_scaled(std::move(c));
 }
 
-/// C(t) - origin in units of the table.
-template <class NT, class Spiral>
-[[nodiscard]] Xy<NT> point_from(const Spiral& spiral, double t, const Xy<NT>& origin) {
-  const Taylor_table<NT>& table = spiral.template table<NT>();
-  const Xy<NT> first = number_from<NT>(spiral.curve().control_points().front());
-  Xy<NT> q = NT(1 / table.unit()) * (first - origin);
-  if (t == 0) return q;
-  const Relative_piece<NT> piece = relative_piece(table, NT(0), NT(t));
+/// C(t0) - origin in units of the table.
+template <class NT> [[nodiscard]] Xy<NT> point_from(const internal::Proven_piece& piece, const Xy<NT>& origin) {
+  const Taylor_table<NT>& table = piece.table<NT>();
+  Xy<NT> q = NT(1 / table.unit()) * (piece.first<NT>() - origin);
+  if (piece.t0 == 0) return q;
+  const Relative_piece<NT> before = relative_piece(table, NT(0), NT(piece.t0));
   Xy<NT> chord;
-  for (std::size_t k = 1; k < piece.m.size(); ++k) chord = chord + piece.m[k];
-  if (!piece.w.empty()) chord = NT(NT(1) / NT(piece.w[0] * piece.end_weight)) * chord;
+  for (std::size_t k = 1; k < before.m.size(); ++k) chord = chord + before.m[k];
+  if (!before.w.empty()) chord = NT(NT(1) / NT(before.w[0] * before.end_weight)) * chord;
   return q + chord;
 }
 
 /// \param start C(t0) minus the point that the piece is relative to, in units of the table
-template <class NT, class Spiral>
-[[nodiscard]] Weighted_piece<NT> weighted_piece(const Spiral& spiral, double t0, double t1, const Xy<NT>& start) {
-  const Relative_piece<NT> piece = relative_piece(spiral.template table<NT>(), NT(t0), NT(t1));
+template <class NT>
+[[nodiscard]] Weighted_piece<NT> weighted_piece(const internal::Proven_piece& proven, const Xy<NT>& start) {
+  const Relative_piece<NT> piece = relative_piece(proven.table<NT>(), NT(proven.t0), NT(proven.t1));
   const std::size_t n = piece.m.size();
   std::vector<NT> x(n, NT(0)), y(n, NT(0)), weight(n, NT(0));
   for (std::size_t k = 1; k < n; ++k) {

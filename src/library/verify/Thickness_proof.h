@@ -11,8 +11,8 @@
 // k' e)) with e their Lie product.  Arcs for which any of that is open are halved; parts that are short beside the room
 // left, at the ends of boundaries whose rounding shows, are within their length of their middle's distance.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
+#ifndef BOUNDING_ARCS_LIBRARY_VERIFY_THICKNESS_PROOF_H
+#define BOUNDING_ARCS_LIBRARY_VERIFY_THICKNESS_PROOF_H
 
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>

@@ -7,36 +7,20 @@
 // distances of corners.  Strips in intervals: the curve stays between the normals at the ends and to its side of each
 // arc, where a parameter range on either side of the joint's normal tells which arcs count.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_PROVE_OUTLINE_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_PROVE_OUTLINE_H
+#ifndef BOUNDING_ARCS_LIBRARY_VERIFY_PROVE_OUTLINE_H
+#define BOUNDING_ARCS_LIBRARY_VERIFY_PROVE_OUTLINE_H
 
 #include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
-#include <CGAL/Bounding_arcs_2/verify/internal/prove_bca.h>
-#include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
+#include "Thickness_proof.h"
+#include "prove_bca.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::verify {
-
-/// Whether a construction's regions are outlines.
-template <class Construction>
-inline constexpr bool has_outline_v =
-    std::is_same_v<decltype(std::declval<const Construction&>().boundary(std::declval<const Chord_frame_2<double>&>())),
-                   Region_outline_2<double>>;
-
-/// The outline of a shape in enclosures, with the piece's start in the origin and in units of the shape.
-template <class Construction>
-[[nodiscard]] Region_outline_2<Mpfr_interval> enclosed_outline(const Construction& construction,
-                                                               Chord_shape_2<Rational> shape, mpfr_prec_t bits) {
-  shape.unit = 1;
-  const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
-  return construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
-}
 
 /// The piece keeps to the left of the line from p to q. \param tight_end where the piece's tight end is, as p and q are
 [[nodiscard]] inline Proof prove_left_of(const Containment_piece& piece, const Xy<Rational>& tight_end,
@@ -167,27 +151,26 @@ class Strip_proof {
 };
 
 /// The piece is in the region within its outline, or in the BCA where that is what it steps back to.
-template <class Construction>
-[[nodiscard]] Proof prove_outline(const Construction& construction, const Containment_piece& piece,
-                                  const Chord_shape_2<Rational>& f, const Parameter_range& range) {
-  if constexpr (!Construction::BOUNDARY_NEEDS_SQUARE_ROOT) {
+[[nodiscard]] inline Proof prove_outline(const internal::Proven_construction& construction,
+                                         const Containment_piece& piece, const Chord_shape_2<Rational>& f,
+                                         const Parameter_range& range) {
+  if (construction.polygon) {
     Chord_shape_2<Rational> shape = f;
     shape.unit = 1;
-    const auto outline = construction.boundary(frame_at_origin(shape));
+    const auto outline = construction.polygon(frame_at_origin(shape));
     if (outline.form == Outline_form::BCA) return prove_bca(piece, f, range);
     return prove_in_polygon(piece, f, outline, range);
-  } else {
-    constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
-    for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
-      try {
-        const auto outline = enclosed_outline(construction, f, bits);
-        if (outline.form == Outline_form::BCA) return prove_bca(piece, f, range);
-        if (Strip_proof(piece, f, range, outline, bits).contained() == Proof::PROVEN) return Proof::PROVEN;
-      } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
-      }
-    }
-    return Proof::UNDECIDED;
   }
+  constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
+  for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
+    try {
+      const auto outline = construction.strip(enclosed_frame(f, bits));
+      if (outline.form == Outline_form::BCA) return prove_bca(piece, f, range);
+      if (Strip_proof(piece, f, range, outline, bits).contained() == Proof::PROVEN) return Proof::PROVEN;
+    } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
+    }
+  }
+  return Proof::UNDECIDED;
 }
 
 /// |p - s|^2, s the nearest point of a segment.
@@ -237,26 +220,25 @@ template <class Construction>
 
 /// Whether no point of the outer side of the exact outline is farther from the inner side than `length`, in units of
 /// the shape; nothing where the region steps back to BCA.
-template <class Construction>
-[[nodiscard]] std::optional<bool> prove_outline_thickness(const Construction& construction,
-                                                          Chord_shape_2<Rational> shape, const Rational& length) {
-  if constexpr (!Construction::BOUNDARY_NEEDS_SQUARE_ROOT) {
+[[nodiscard]] inline std::optional<bool> prove_outline_thickness(const internal::Proven_construction& construction,
+                                                                 Chord_shape_2<Rational> shape,
+                                                                 const Rational& length) {
+  if (construction.polygon) {
     shape.unit = 1;
-    const auto outline = construction.boundary(frame_at_origin(shape));
+    const auto outline = construction.polygon(frame_at_origin(shape));
     if (outline.form == Outline_form::BCA) return std::nullopt;
     return prove_polygon_thickness(outline, length);
-  } else {
-    constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
-    for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
-      try {
-        const auto outline = enclosed_outline(construction, shape, bits);
-        if (outline.form == Outline_form::BCA) return std::nullopt;
-        if (prove_strip_thickness(outline, Mpfr_interval(length, bits))) return true;
-      } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
-      }
-    }
-    return false;
   }
+  constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
+  for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
+    try {
+      const auto outline = construction.strip(enclosed_frame(shape, bits));
+      if (outline.form == Outline_form::BCA) return std::nullopt;
+      if (prove_strip_thickness(outline, Mpfr_interval(length, bits))) return true;
+    } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
+    }
+  }
+  return false;
 }
 
 }  // namespace CGAL::Bounding_arcs::verify

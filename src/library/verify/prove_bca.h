@@ -6,14 +6,15 @@
 // circle touches and a simple one at the other end; what is left after dividing them out must keep one sign.
 // The two circles meet in the end points only, so a curve that crosses neither stays in the lune between their arcs.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_PROVE_BCA_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_PROVE_BCA_H
+#ifndef BOUNDING_ARCS_LIBRARY_VERIFY_PROVE_BCA_H
+#define BOUNDING_ARCS_LIBRARY_VERIFY_PROVE_BCA_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
-#include <CGAL/Bounding_arcs_2/verify/internal/Weighted_piece.h>
-#include <CGAL/Bounding_arcs_2/verify/internal/sign_on_interval.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_region.h>
+#include "Weighted_piece.h"
+#include "sign_on_interval.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
@@ -104,6 +105,13 @@ struct Parameter_range {
     r = (std::max)(r, length_range(Xy<Rational>(factor * Xy<Rational>{Rational(x[i]), Rational(y[i])})).upper);
   }
   return r;
+}
+
+/// The frame of a shape in enclosures, with the piece's start in the origin and in units of the shape.
+[[nodiscard]] inline Chord_frame_2<Mpfr_interval> enclosed_frame(Chord_shape_2<Rational> shape, mpfr_prec_t bits) {
+  shape.unit = 1;
+  const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
+  return frame_at_origin(convert_shape<Mpfr_interval>(shape, number));
 }
 
 [[nodiscard]] inline Containment_piece containment_piece(const Relative_piece<Rational>& piece,
@@ -204,11 +212,11 @@ struct Parameter_range {
 
 /// Between the two arcs, over the chord, of one's own construction: of two circles through the same points what is
 /// inside of the one and outside of the other is between their arcs.
-template <class Construction>
-[[nodiscard]] Proof prove_between_arcs(const Construction& construction, const Containment_piece& piece,
-                                       Chord_shape_2<Rational> f, const Parameter_range& range) {
+[[nodiscard]] inline Proof prove_between_arcs(const internal::Proven_construction& construction,
+                                              const Containment_piece& piece, Chord_shape_2<Rational> f,
+                                              const Parameter_range& range) {
   f.unit = 1;
-  const auto region = construction.boundary(frame_at_origin(f));
+  const auto region = construction.exact(frame_at_origin(f));
   const auto is_over_chord = [&](const Boundary_chain_2<Rational>& side) {
     return side.size() == 1 && side[0].from == Xy<Rational>{} && side[0].to == f.chord;
   };

@@ -5,8 +5,8 @@
 // Proofs that a polynomial is nowhere negative on [0, 1], from the signs of its Bernstein coefficients: over exact
 // rings, double-doubles and intervals.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_SIGN_ON_INTERVAL_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_SIGN_ON_INTERVAL_H
+#ifndef BOUNDING_ARCS_LIBRARY_VERIFY_SIGN_ON_INTERVAL_H
+#define BOUNDING_ARCS_LIBRARY_VERIFY_SIGN_ON_INTERVAL_H
 
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>

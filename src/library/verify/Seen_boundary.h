@@ -5,13 +5,13 @@
 // A region's boundary of floating numbers over another number type, seen from its start: what proofs about rounded
 // regions compare curve pieces with.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_SEEN_BOUNDARY_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_SEEN_BOUNDARY_H
+#ifndef BOUNDING_ARCS_LIBRARY_VERIFY_SEEN_BOUNDARY_H
+#define BOUNDING_ARCS_LIBRARY_VERIFY_SEEN_BOUNDARY_H
 
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
-#include <CGAL/Bounding_arcs_2/verify/internal/Weighted_piece.h>
-#include <CGAL/Bounding_arcs_2/verify/internal/sign_on_interval.h>
+#include "Weighted_piece.h"
+#include "sign_on_interval.h"
 
 #include <algorithm>
 #include <cmath>
