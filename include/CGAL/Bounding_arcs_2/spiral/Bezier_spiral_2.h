@@ -55,12 +55,15 @@ template <class NT> class Bezier_spiral_2 {
 
   Bezier_spiral_2(const std::shared_ptr<const Tabulated_bezier<NT>>& curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place = {})
-      : Bezier_spiral_2(curve, first, last, orders, is_straight, place, Local_curves<NT>(*curve),
+      : Bezier_spiral_2(curve, first, last, orders, is_straight, place,
+                        [&](double from, double to) { return internal::local_curve_of(*curve, from, to); },
                         {curve->end_point(first), curve->end_point(last)}) {}
   /// Makes a segment; segments of a curve can share what makes their local curves, and the points in which they meet.
+  /// \param local_curves local_curves(first, last) -> Local_curve
+  template <class LocalCurves>
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place,
-                  const Local_curves<NT>& local_curves, const End_points& points);
+                  const LocalCurves& local_curves, const End_points& points);
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
@@ -160,9 +163,10 @@ template <class NT> class Bezier_spiral_2 {
 };
 
 template <class NT>
+template <class LocalCurves>
 Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                                      const End_orders& orders, bool is_straight, const Segment_place& place,
-                                     const Local_curves<NT>& local_curves, const End_points& points)
+                                     const LocalCurves& local_curves, const End_points& points)
     : curve_(std::move(curve)), first_(first), last_(last), points_(points), orders_(orders), place_(place),
       is_straight_(is_straight) {
   if constexpr (std::is_floating_point_v<NT>) {
@@ -226,12 +230,14 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
+namespace internal {
+
 // Appends the spiral segments of a curve between its cuts. \pre it is served
-template <class NT>
-void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameters& cuts, const Segment_place& place,
-                         std::vector<Bezier_spiral_2<NT>>& spirals) {
-  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
-  const Local_curves<NT> local_curves(*shared);
+// \param tangent_order_at tangent_order_at(t), see End_orders
+template <class NT, class Order, class LocalCurves>
+void add_segments(const std::shared_ptr<const Tabulated_bezier<NT>>& shared, const Spiral_parameters& cuts,
+                  const Segment_place& place, const Order& tangent_order_at, const LocalCurves& local_curves,
+                  std::vector<Bezier_spiral_2<NT>>& spirals) {
   struct End {
     double t;
     Xy<NT> point;
@@ -239,10 +245,12 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameter
     Cut_reason reason;
   };
   const auto end_at = [&](double t, Cut_reason reason) {
-    const std::int16_t order = internal::tangent_order(*shared, t);
+    const std::int16_t order = tangent_order_at(t);
     const bool may_bend = order > 1 && !cuts.is_straight;
-    return End{t, shared->end_point(t), order, may_bend ? internal::bend_order(*shared, t, order) : std::int16_t(0),
-               reason};
+    return End{
+        t, shared->end_point(t), order,
+        may_bend ? bend_order(shared->template table<typename Exact_number<NT>::Type>(), t, order) : std::int16_t(0),
+        reason};
   };
   End first = end_at(0, place.first);
   const auto add = [&](const End& last) {
@@ -255,6 +263,21 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameter
   add(end_at(1, place.last));
 }
 
+template <class NT>
+void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameters& cuts, const Segment_place& place,
+                         std::vector<Bezier_spiral_2<NT>>& spirals) {
+  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
+  const auto& table = shared->template table<Double_double>();
+  add_segments(
+      shared, cuts, place, [&](double t) { return tangent_order(table, t); },
+      [&](double first, double last) { return make_local_curve(table, first, last); }, spirals);
+}
+template <>
+void add_spiral_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, const Segment_place& place,
+                         std::vector<Bezier_spiral_2<double>>& spirals);
+
+}  // namespace internal
+
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
 /// \param place of the curve as a whole: its numbers, and what its ends are
 /// \guarantee no cut is missed: see spiral_parameters
@@ -264,7 +287,7 @@ template <class NT>
                                                                const Segment_place& place = {}) {
   std::vector<Bezier_spiral_2<NT>> spirals;
   check_served(curve);
-  add_spiral_segments(curve, spiral_parameters(curve), place, spirals);
+  internal::add_spiral_segments(curve, spiral_parameters(curve), place, spirals);
   return spirals;
 }
 
@@ -290,8 +313,9 @@ template <class NT, class Cuts>
   for (std::size_t i = first; i < last; ++i) {
     const auto& curve = drawing.curves()[i];
     for (std::size_t j = 0; j < curve.beziers.size(); ++j)
-      add_spiral_segments(curve.beziers[j], cuts(i, j),
-                          bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)), spirals);
+      internal::add_spiral_segments(curve.beziers[j], cuts(i, j),
+                                    bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)),
+                                    spirals);
   }
   return spirals;
 }

@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
+#include "../../../../../../src/library/spiral/Local_figures.h"
 
 #include <cmath>
 #include <cstddef>

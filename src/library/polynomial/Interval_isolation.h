@@ -5,12 +5,13 @@
 // The first pass of root isolation: Descartes' rule of signs and bisection in interval arithmetic.
 // Invariant: every root in (0,1), but those next to an end, lies in a cell or in an undecided span.
 
-#ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTERVAL_ISOLATION_H
-#define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTERVAL_ISOLATION_H
+#ifndef BOUNDING_ARCS_LIBRARY_POLYNOMIAL_INTERVAL_ISOLATION_H
+#define BOUNDING_ARCS_LIBRARY_POLYNOMIAL_INTERVAL_ISOLATION_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Exact_isolation.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -18,13 +19,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 using Unprotected_interval = Interval_nt<false>;
-
-// Roots that round to a double at most END_WIDTH away from 0 or 1 count as these ends. It is the spacing of doubles
-// below 1, so that 1 - t is as sharp a parameter as t. Ten times wider would lose breaks at the finest real detail.
-inline constexpr double END_WIDTH = 0x1p-53;
 
 // The enclosure [hi + lo - err, hi + lo + err]; in upward rounding.
 inline Unprotected_interval enclosure(const Double_double& x) {
@@ -40,12 +37,6 @@ inline Sign_variations sign_variation_bounds(const Bernstein_polynomial<Unprotec
     if (!is_certainly_zero(c)) v.append(certain_sign(c));
   return v;
 }
-
-/// An open interval with exactly one root and the sign just right of its lower end.
-struct Root_cell {
-  double lo, hi;
-  int lower_sign;
-};
 
 /// Proves cells free of roots or with one root in interval arithmetic, and lists those it cannot decide.
 class Interval_isolation {
@@ -122,6 +113,6 @@ class Interval_isolation {
   std::vector<Cell> stack_;
 };
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -17,12 +17,12 @@
 // no leading terms cancel.
 // Rational curves have the same figures of other M, Y and Z.
 
-#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_FIGURES_H
-#define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_FIGURES_H
+#ifndef BOUNDING_ARCS_LIBRARY_SPIRAL_LOCAL_FIGURES_H
+#define BOUNDING_ARCS_LIBRARY_SPIRAL_LOCAL_FIGURES_H
 
-#include <CGAL/Bounding_arcs_2/number/Pair.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include "../number/Pair.h"
 
 #include <cstddef>
 

@@ -5,8 +5,8 @@
 // A number as an unevaluated sum of two doubles, without a bound of its error: that is known ahead, as the same formula
 // over Pair_magnitude tells (see Magnitude), which makes it several times faster than Double_double.
 
-#ifndef CGAL_BOUNDING_ARCS_2_NUMBER_PAIR_H
-#define CGAL_BOUNDING_ARCS_2_NUMBER_PAIR_H
+#ifndef BOUNDING_ARCS_LIBRARY_NUMBER_PAIR_H
+#define BOUNDING_ARCS_LIBRARY_NUMBER_PAIR_H
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 

@@ -5,14 +5,14 @@
 // Points of curves rounded from twice the digits: of polynomial ones sum binomial(n, k) t^k (k-th difference of the
 // first control points), by Horner's scheme.
 
-#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_ACCURATE_POINT_H
-#define CGAL_BOUNDING_ARCS_2_SPIRAL_ACCURATE_POINT_H
+#ifndef BOUNDING_ARCS_LIBRARY_SPIRAL_ACCURATE_POINT_H
+#define BOUNDING_ARCS_LIBRARY_SPIRAL_ACCURATE_POINT_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/number/Pair.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/assertions.h>
+#include "../number/Pair.h"
 
 #include <cstddef>
 
