@@ -35,7 +35,7 @@ template <class Exact> [[nodiscard]] auto isolate_roots(const Bernstein_polynomi
     return Bernstein_polynomial<internal::Unprotected_interval>::from_scaled(std::move(c));
   };
   return internal::isolate_roots({enclosure, [&] { return Bernstein_polynomial<Double_double>::from_scaled(fine); },
-                                  [&] { return internal::Exact_polynomial(p); }});
+                                  [&] { return internal::Root_oracle(p); }});
 }
 
 }  // namespace bounding_arcs_test

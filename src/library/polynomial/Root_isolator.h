@@ -31,7 +31,7 @@ namespace CGAL::Bounding_arcs::internal {
 struct Layered_polynomial {
   std::function<Bernstein_polynomial<Unprotected_interval>()> enclosure;
   std::function<Bernstein_polynomial<Double_double>()> fine;
-  std::function<Exact_polynomial()> exact;
+  std::function<Root_oracle()> exact;
 };
 
 /// Isolates and rounds the roots of one polynomial.
@@ -65,7 +65,7 @@ class Root_isolator {
     if (!fine_) fine_ = p_.fine();
     return *fine_;
   }
-  const Exact_polynomial& exact() {
+  const Root_oracle& exact() {
     if (!exact_) exact_ = p_.exact();
     return *exact_;
   }
@@ -140,7 +140,7 @@ class Root_isolator {
 
   const Layered_polynomial& p_;
   std::optional<Bernstein_polynomial<Double_double>> fine_;
-  std::optional<Exact_polynomial> exact_;
+  std::optional<Root_oracle> exact_;
   Bernstein_polynomial<double> rounded_, slope_;
   bool has_doubles_ = false;
 };

@@ -21,8 +21,8 @@
 #define BOUNDING_ARCS_LIBRARY_SPIRAL_LOCAL_FIGURES_H
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include "../number/Pair.h"
+#include "Local_curve.h"
 
 #include <cstddef>
 

@@ -10,9 +10,9 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/assertions.h>
 #include "../number/Pair.h"
+#include "Local_curve.h"
 
 #include <cstddef>
 

@@ -11,8 +11,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The local curve of the segment [first, last] of the curve behind `table`; of kind 0 where there is none.
-/// \tparam Double_double Double_double
 Local_curve make_local_curve(const Taylor_table<Double_double>& table, double first, double last) {
   const int kind = curve_kind(table.degree(), table.is_rational());
   if (kind == 0) return {};
@@ -48,6 +46,10 @@ Local_curve make_local_curve(const Taylor_table<Double_double>& table, double fi
     complete<of_kind()>(curve, numbers, first, last);
     return curve;
   });
+}
+
+Kept_local_curve kept_local_curve(const Taylor_table<Double_double>& table, double first, double last) {
+  return kept(make_local_curve(table, first, last));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -11,8 +11,8 @@
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include "../number/Pair.h"
+#include "Local_curve.h"
 #include "Local_figures.h"
 
 #include <algorithm>
@@ -252,6 +252,18 @@ struct Cubic_expansion_errors {
 }  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+
+/// The local curve of the segment [first, last] of the curve behind `table`; of kind 0 where there is none.
+[[nodiscard]] Local_curve make_local_curve(const Taylor_table<Double_double>& table, double first, double last);
+
+/// What a segment keeps of a local curve.
+[[nodiscard]] inline Kept_local_curve kept(const Local_curve& curve) {
+  return {Stored_local_curve(curve), Stored_local_curve::key(curve)};
+}
+
+}  // namespace internal
 
 /// Makes local curves of the segments of one polynomial cubic over double, in a fraction of the time: a filter.
 class Cubic_local_curves {

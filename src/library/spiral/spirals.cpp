@@ -45,9 +45,9 @@ class Local_curves {
     if (curve.curve().degree() == 3 && !curve.curve().is_rational()) cubic_.emplace(curve.curve(), curve.unit());
   }
 
-  [[nodiscard]] Local_curve operator()(double first, double last) const {
-    if (cubic_) return (*cubic_)(first, last);
-    return make_local_curve(curve_.table<Double_double>(), first, last);
+  [[nodiscard]] Kept_local_curve operator()(double first, double last) const {
+    if (cubic_) return kept((*cubic_)(first, last));
+    return kept_local_curve(curve_.table<Double_double>(), first, last);
   }
 
  private:
@@ -91,7 +91,7 @@ std::int16_t tangent_order(const Taylor_table<Double_double>& table, double t) {
   return 1;  // a point
 }
 
-template <> Local_curve local_curve_of(const Tabulated_bezier<double>& curve, double first, double last) {
+template <> Kept_local_curve kept_local_curve_of(const Tabulated_bezier<double>& curve, double first, double last) {
   return Local_curves(curve)(first, last);
 }
 

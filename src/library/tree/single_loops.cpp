@@ -10,10 +10,10 @@
 #include "batch/arc_batch.h"
 #include "batch/bound_batch.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include "../spiral/make_local_curve.h"
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../spiral/Local_curve.h"
+#include "../spiral/make_local_curve.h"
+#include "batch/Batch_questions.h"
 
 #include <algorithm>
 #include <cmath>

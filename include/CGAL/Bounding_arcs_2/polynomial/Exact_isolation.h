@@ -120,12 +120,12 @@ template <class Ring> class Exact_isolation {
 };
 
 /// An Exact_isolation over any ring.
-struct Exact_polynomial {
+struct Root_oracle {
   std::function<bool()> is_zero;
   std::function<int(double hi, double lo)> sign;
   std::function<void(double lo, double hi, Isolated_roots&)> isolate;
 
-  template <class Ring> explicit Exact_polynomial(Bernstein_polynomial<Ring> polynomial) {
+  template <class Ring> explicit Root_oracle(Bernstein_polynomial<Ring> polynomial) {
     const auto p = std::make_shared<const Exact_isolation<Ring>>(std::move(polynomial));
     is_zero = [p] { return p->is_zero(); };
     sign = [p](double hi, double lo) { return p->sign(hi, lo); };

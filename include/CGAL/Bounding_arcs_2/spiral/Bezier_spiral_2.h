@@ -56,10 +56,10 @@ template <class NT> class Bezier_spiral_2 {
   Bezier_spiral_2(const std::shared_ptr<const Tabulated_bezier<NT>>& curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place = {})
       : Bezier_spiral_2(curve, first, last, orders, is_straight, place,
-                        [&](double from, double to) { return internal::local_curve_of(*curve, from, to); },
+                        [&](double from, double to) { return internal::kept_local_curve_of(*curve, from, to); },
                         {curve->end_point(first), curve->end_point(last)}) {}
   /// Makes a segment; segments of a curve can share what makes their local curves, and the points in which they meet.
-  /// \param local_curves local_curves(first, last) -> Local_curve
+  /// \param local_curves local_curves(first, last) -> Kept_local_curve
   template <class LocalCurves>
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place,
@@ -71,9 +71,7 @@ template <class NT> class Bezier_spiral_2 {
   /// Which Bezier piece of which curve it is a part of, and why it ends where it does.
   [[nodiscard]] const Segment_place& place() const { return place_; }
   /// The segment about its middle in doubles, with error bounds; of kind 0 where there is none.
-  [[nodiscard]] Local_curve local_curve() const {
-    return local_.local_curve(local_key_, first_, last_, curve_->unit());
-  }
+  [[nodiscard]] Segment_curve local_curve() const { return {local_, local_key_, first_, last_, curve_->unit()}; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const;
 
@@ -179,9 +177,9 @@ Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>>
   const bool has_tangents =
       (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
   if (is_straight || !has_tangents) return;
-  const Local_curve local = local_curves(first, last);
-  local_ = Stored_local_curve(local);
-  local_key_ = Stored_local_curve::key(local);
+  Kept_local_curve local = local_curves(first, last);
+  local_ = std::move(local.numbers);
+  local_key_ = local.key;
 }
 
 template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curve_2<Exact_number_type> {
@@ -270,7 +268,7 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameter
   const auto& table = shared->template table<Double_double>();
   add_segments(
       shared, cuts, place, [&](double t) { return tangent_order(table, t); },
-      [&](double first, double last) { return make_local_curve(table, first, last); }, spirals);
+      [&](double first, double last) { return kept_local_curve(table, first, last); }, spirals);
 }
 template <>
 void add_spiral_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, const Segment_place& place,

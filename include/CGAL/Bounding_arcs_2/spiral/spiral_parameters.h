@@ -41,7 +41,7 @@ namespace internal {
 /// What is asked of a curve to cut it, but for doubles each when it is first needed.
 struct Cut_numbers {
   std::function<const Curve_numbers<Double_double>&()> fine;
-  std::function<Exact_polynomial(Numerator)> exact;
+  std::function<Root_oracle(Numerator)> exact;
   std::function<bool(bool at_start)> has_double_end;  ///< the two control points there are one
 };
 
@@ -55,7 +55,7 @@ template <class NT, class Work> [[nodiscard]] auto with_cut_numbers(const Bezier
 ,
     [&made](Numerator which) {
       using Ring = typename Layered_curve<NT>::Ring;
-      return Exact_polynomial(Numerator_builder<Ring>(made().exact())(which));
+      return Root_oracle(Numerator_builder<Ring>(made().exact())(which));
     },
     [&p](bool at_start) { return at_start ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]; }
 }  // namespace internal

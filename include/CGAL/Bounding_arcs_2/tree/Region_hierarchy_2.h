@@ -14,10 +14,10 @@
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>

@@ -19,7 +19,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include "../../spiral/Local_figures.h"
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "Batch_questions.h"
 
 #include <cmath>
 #include <cstddef>

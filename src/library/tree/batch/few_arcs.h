@@ -12,7 +12,7 @@
 #include "arc_batch.h"
 
 #include "../../spiral/accurate_point.h"
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "Batch_questions.h"
 
 #include <cstddef>
 

@@ -15,7 +15,7 @@
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Stored_local_curve.h>
 
 #include <CGAL/number_utils.h>
 
@@ -98,13 +98,13 @@ template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezie
 namespace internal {
 
 /// Expands a curve about the middle of a segment; no kind where its degree has none.
-[[nodiscard]] Local_curve make_local_curve(const Taylor_table<Double_double>& table, double first, double last);
+[[nodiscard]] Kept_local_curve kept_local_curve(const Taylor_table<Double_double>& table, double first, double last);
 /// Expands the curve of a table.
 template <class NT>
-[[nodiscard]] Local_curve local_curve_of(const Tabulated_bezier<NT>& curve, double first, double last) {
-  return make_local_curve(curve.template table<Double_double>(), first, last);
+[[nodiscard]] Kept_local_curve kept_local_curve_of(const Tabulated_bezier<NT>& curve, double first, double last) {
+  return kept_local_curve(curve.template table<Double_double>(), first, last);
 }
-template <> [[nodiscard]] Local_curve local_curve_of(const Tabulated_bezier<double>& curve, double first, double last);
+template <> Kept_local_curve kept_local_curve_of(const Tabulated_bezier<double>& curve, double first, double last);
 
 }  // namespace internal
 

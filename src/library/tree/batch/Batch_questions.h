@@ -5,14 +5,14 @@
 // What the filter's loops are asked, and what they answer: pieces of one segment in batches, and first levels or few
 // arcs of eight segments side by side.  The loops are compiled once (src/library/tree/batch).
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_QUESTIONS_H
-#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_QUESTIONS_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_QUESTIONS_H
+#define BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_QUESTIONS_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include "../../../../../../src/library/spiral/Local_figures.h"
+#include "../../spiral/Local_curve.h"
+#include "../../spiral/Local_figures.h"
 
 #include <cmath>
 #include <cstddef>

@@ -5,12 +5,12 @@
 // Makes the regions in hand of segments with few leaves, eight segments at a time, and finds for others what their
 // batches need.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARCS_AHEAD_H
-#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARCS_AHEAD_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_ARCS_AHEAD_H
+#define BOUNDING_ARCS_LIBRARY_TREE_BATCH_ARCS_AHEAD_H
 
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Piece_filter.h>
+#include "Batch_functions.h"
 
 #include <algorithm>
 #include <cstddef>

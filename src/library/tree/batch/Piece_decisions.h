@@ -2,29 +2,28 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Decides pieces in batches where construction, number type and segment have them, and piece by piece where these leave
-// a piece open.  Nodes and breaks are those of Plain_decider.
+// The steps of Piece_filter: many pieces at a time, and piece by piece where that leaves one open.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_FILTERED_DECIDER_H
-#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_FILTERED_DECIDER_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_PIECE_DECISIONS_H
+#define BOUNDING_ARCS_LIBRARY_TREE_BATCH_PIECE_DECISIONS_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Plain_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Piece_filter.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
+#include "../../spiral/Local_curve.h"
+#include "Batch_functions.h"
+#include "Batch_questions.h"
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <bitset>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::filter {
@@ -39,17 +38,17 @@ struct Piece_decision {
 
 /// Thickness against eps for consecutive pieces of one segment: in a batch, and by the traits' functor, with more
 /// digits, where that does not decide.
-template <class Bound, class Spiral> class Piece_decisions {
+class Piece_decisions {
  public:
-  /// `bound` and `spiral` must outlive the object.
-  Piece_decisions(const Bound& bound, const Batch_functions& functions, const Spiral& spiral)
-      : bound_(bound), spiral_(spiral), curve_{spiral.local_curve()}, batch_(functions(curve_.local)) {}
+  /// `bound` must outlive the object.
+  Piece_decisions(const Open_piece& bound, const Batch_functions& functions, const Segment_curve& segment)
+      : bound_(bound), grid_(segment.first, segment.last), curve_{segment}, batch_(functions(curve_.local)) {}
 
   Piece_decisions(const Piece_decisions&) = delete;  // refers to itself
 
   /// Whether there are batches for the segment, without which nothing is to be decided here.
   [[nodiscard]] bool has_batches() const { return batch_ != nullptr; }
-  [[nodiscard]] const Spiral& spiral() const { return spiral_; }
+  [[nodiscard]] const Spiral_grid& grid() const { return grid_; }
   /// \pre has_batches()
   /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Batch_pieces& pieces, double eps, double* upper,
@@ -62,7 +61,7 @@ template <class Bound, class Spiral> class Piece_decisions {
     counts.batch += pieces.count - (open == 0 ? 0 : std::bitset<BATCH_SIZE>(open).count());
     for (int i = 0; open != 0; ++i, open >>= 1) {
       if ((open & 1) == 0) continue;
-      const Thickness_bound b = bound_(Piece_source<Spiral>{spiral_, pieces.begin(i), pieces.end(i)}, eps);
+      const Thickness_bound b = bound_(pieces.begin(i), pieces.end(i), eps);
       if (upper != nullptr) upper[i] = b.upper;
       if (b.within) result.largest = (std::max)(result.largest, b.upper);
       else result.above |= std::uint64_t(1) << i;
@@ -78,8 +77,8 @@ template <class Bound, class Spiral> class Piece_decisions {
     if (make_rough_form(curve_.local, rough_)) curve_.rough = &rough_;
   }
 
-  const Bound& bound_;
-  const Spiral& spiral_;
+  const Open_piece& bound_;
+  Spiral_grid grid_;
   Batch_curve curve_;
   Batch_function batch_;
   Local_form<float> rough_;
@@ -123,7 +122,9 @@ class Segment_top {
 };
 
 /// The first levels of the segments that come next.
-template <class Spiral> class Look_ahead {
+class Look_ahead {
+  using Spiral = Bezier_spiral_2<double>;
+
  public:
   /// Decides first levels of segments first[0], ..., first[count - 1], and forgets those before.
   void decide(const Batch_functions& functions, const Spiral* first, std::size_t count, double eps, bool are_kept) {
@@ -214,12 +215,9 @@ class Level_strategy {
   [[nodiscard]] bool is_done() const { return next_.empty(); }
 
   /// Appends the nodes that are not there after begin: together the same as those of Bounding_arcs::subdivide.
-  /// \param decide Piece_decisions of the segment
-  template <class Decide>
-  [[nodiscard]] Subdivision finish(Decide& decide, const Segment_top& top, double eps, std::size_t limit,
+  [[nodiscard]] Subdivision finish(Piece_decisions& decide, const Segment_top& top, double eps, std::size_t limit,
                                    Region_nodes& nodes, Decision_counts& counts) {
-    const Spiral_grid grid(decide.spiral().first(), decide.spiral().last());
-    Work<Decide> work{decide, grid, eps, limit, nodes, counts, top.largest()};
+    Work work{decide, decide.grid(), eps, limit, nodes, counts, top.largest()};
     if (top.levels() > 0) give_up_hopeless(work, top.thickness(0, 0));
     for (int level = top.levels(); !next_.empty() && !work.is_over_limit(); ++level) {
       open_.swap(next_);
@@ -235,8 +233,8 @@ class Level_strategy {
   struct Run {  // pieces begin, ..., end - 1 of a level
     std::uint64_t begin, end;
   };
-  template <class Decide> struct Work {
-    Decide& decide;
+  struct Work {
+    Piece_decisions& decide;
     const Spiral_grid& grid;
     double eps;
     std::size_t limit;
@@ -248,7 +246,7 @@ class Level_strategy {
     [[nodiscard]] bool is_over_limit() const { return nodes.size() > limit || is_hopeless; }
   };
 
-  template <class Decide> void add(Work<Decide>& work, int level, std::uint64_t place, std::size_t count) {
+  void add(Work& work, int level, std::uint64_t place, std::size_t count) {
     double thickness[BATCH_SIZE];
     const bool is_last = level == work.grid.levels();
     const bool wants_thickness = work.nodes.keeps_thickness() || level == 0 || is_last;
@@ -265,7 +263,7 @@ class Level_strategy {
     open_halves(place, above);
   }
   // \param whole an upper bound of the whole segment's thickness
-  template <class Decide> static void give_up_hopeless(Work<Decide>& work, double whole) {
+  static void give_up_hopeless(Work& work, double whole) {
     const double far = hopeless_thickness(work.limit, work.eps);
     if (whole > far)
       work.is_hopeless = work.decide(pieces_of(work.grid, 0, 0, 1), far, nullptr, work.counts).above != 0;
@@ -285,89 +283,6 @@ class Level_strategy {
     else next_.push_back(run);
   }
   std::vector<Run> open_, next_;
-};
-
-template <class Spiral, class = void> inline constexpr bool has_local_curve_v = false;
-template <class Spiral>
-inline constexpr bool has_local_curve_v<Spiral, std::void_t<decltype(std::declval<const Spiral&>().local_curve())>> =
-    true;
-
-/// Whether there are formulas for batches of the traits' regions, and local forms of the segments.
-template <class Traits, class Spiral>
-inline constexpr bool serves_v =
-    has_local_curve_v<Spiral> && !std::is_void_v<typename Formulas<typename Traits::Construction>::Type>;
-
-/// A model of PieceDecider (doc/concepts.md). Subtrees of halved segments are made by the filter over double only, as
-/// exact kernels are to be what the algorithm says; measures, which decide nothing, over all number types.
-template <class Traits, class Spiral> class Filtered_decider {
-  static constexpr bool IS_DOUBLE = std::is_same_v<typename Traits::FT, double>;
-  using Bound = decltype(std::declval<const Traits&>().bound_thickness_2_object());
-
- public:
-  Filtered_decider(const Traits& traits, Instruction_set set)
-      : plain_(traits, set), bound_(traits.bound_thickness_2_object()), measure_bound_(traits),
-        functions_(Batch_functions::template of<typename Formulas<typename Traits::Construction>::Type>(set)) {}
-
-  /// Tells which segments subdivide is called for next: what is to be decided of them together.
-  void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness) {
-    if constexpr (IS_DOUBLE) ahead_.decide(functions_, first, count, eps, keeps_thickness);
-  }
-  [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
-                                      Decision_counts& counts) {
-    if constexpr (IS_DOUBLE) {
-      const Segment_top top = ahead_.top(spiral);
-      const Subdivision begun = levels_.begin(top, nodes, counts);
-      if (levels_.is_done()) return {begun.bound, nodes.size() > limit};
-      Piece_decisions<Bound, Spiral> decide(bound_, functions_, spiral);
-      if (decide.has_batches()) return levels_.finish(decide, top, eps, limit, nodes, counts);
-    }
-    return plain_.subdivide(spiral, eps, limit, nodes, counts);
-  }
-
-  [[nodiscard]] unsigned are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
-                                   double eps) const {
-    if constexpr (IS_DOUBLE) {
-      const Local_curve curve = spiral.local_curve();
-      if (const Bound_function bound = functions_.of_one(curve)) {
-        const Spiral_grid grid(spiral.first(), spiral.last());
-        unsigned thick = 0;
-        for (unsigned i = 0; i < count; ++i) {
-          const double begin = grid.parameter(level, place + i), end = grid.parameter(level, place + i + 1);
-          const Bracket b = bound(curve, begin, end, eps, level <= LAST_LONG_LEVEL);
-          if (b.lower > eps || (!(b.upper <= eps) && !bound_(Piece_source<Spiral>{spiral, begin, end}, eps).within))
-            thick |= 1U << i;
-        }
-        return thick;
-      }
-    }
-    return plain_.are_thick(spiral, level, place, count, eps);
-  }
-
-  void measure(const Spiral& spiral, double eps, const std::vector<double>& breaks, std::vector<double>& measures,
-               Decision_counts& counts) const {
-    Piece_decisions<Measure_bound<Traits>, Spiral> decide(measure_bound_, functions_, spiral);
-    if (!decide.has_batches()) return plain_.measure(spiral, eps, breaks, measures, counts);
-    constexpr std::size_t LONG = 8;  // pieces of a segment: fewer are likely to turn by too much for narrow forms
-    const std::size_t count = breaks.size() - 1;
-    measures.resize((count + BATCH_SIZE - 1) / BATCH_SIZE * BATCH_SIZE);
-    for (std::size_t i = 0; i < count; i += BATCH_SIZE) {
-      Batch_pieces pieces = Batch_pieces::between(breaks.data() + i, (std::min)(count - i, BATCH_SIZE));
-      pieces.are_long = count <= LONG;
-      static_cast<void>(decide(pieces, eps, measures.data() + i, counts));
-    }
-    measures.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-      measures[i] =
-          thickness_measure(measures[i], Piece_source<Spiral>{spiral, breaks[i], breaks[i + 1]}, eps, measure_bound_);
-  }
-
- private:
-  Plain_decider<Traits, Spiral> plain_;
-  Bound bound_;
-  Measure_bound<Traits> measure_bound_;
-  Batch_functions functions_;
-  Look_ahead<Spiral> ahead_;
-  Level_strategy levels_;
 };
 
 }  // namespace CGAL::Bounding_arcs::filter

@@ -2,16 +2,12 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The leaves of segments that are cut where all regions are about as thick as eps allows: breaks, one more a segment
-// than it has leaves.
+// Breaks of an interval between which a measure is about as large as eps allows.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_EQUALIZE_BREAKS_H
-#define CGAL_BOUNDING_ARCS_2_TREE_EQUALIZE_BREAKS_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_EQUALIZE_BREAKS_H
+#define BOUNDING_ARCS_LIBRARY_TREE_EQUALIZE_BREAKS_H
 
-#include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Region_node.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +21,6 @@
 // takes equal steps.
 
 namespace CGAL::Bounding_arcs {
-
-/// Break points b[0] < ... < b[n] and, for each piece [b[i], b[i+1]], its measure.
-struct Measured_breaks {
-  std::vector<double> breaks, measures;
-  bool is_limit_far = false;  ///< it was given up as shares tell that many more pieces than the limit are needed
-  /// Room to work in, kept so that one object can serve many intervals.
-  std::vector<double> roots, inverse_roots, secants, slopes, other_breaks;
-};
 
 /// The cube root of x, 0 <= x <= 2^700, within 1e-4 of itself, several times as fast as std::cbrt: a third of the
 /// exponent and one step of Halley's method. For shares only; 0 gives a number near 0.
@@ -176,87 +164,6 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     evaluate(breaks, measures);
   }
 }
-
-namespace internal {
-
-/// The leaves of equalised segments, by the parameters in which they end.
-class Equalized_leaves {
- public:
-  [[nodiscard]] std::size_t number_of_leaves() const { return breaks_.size() - bounds_.size(); }
-  [[nodiscard]] std::size_t number_of_nodes() const { return 2 * number_of_leaves() - bounds_.size(); }
-  /// An upper bound of the thickness of the leaves of each segment.
-  [[nodiscard]] const std::vector<double>& bounds() const { return bounds_; }
-  [[nodiscard]] std::size_t bytes() const {
-    return (breaks_.capacity() + bounds_.capacity()) * sizeof(double) + first_.capacity() * sizeof(std::size_t);
-  }
-
-  /// Segments are equalised one by one.
-  template <class Decider, class Spiral> void look_ahead(Decider&, const Spiral*, std::size_t, double) const {}
-  /// Appends a segment's leaves. \return false if there would be more than `limit` nodes
-  template <class Decider, class Spiral>
-  [[nodiscard]] bool add(Decider& decide, const Spiral& spiral, double eps, std::size_t limit,
-                         Decision_counts& counts) {
-    guess(spiral);
-    equalize_breaks(cut_, eps, limit, [&](const std::vector<double>& breaks, std::vector<double>& measures) {
-      decide.measure(spiral, eps, breaks, measures, counts);
-    });
-    if (cut_.is_limit_far) return false;
-    bounds_.push_back(*std::max_element(cut_.measures.begin(), cut_.measures.end()));
-    breaks_.insert(breaks_.end(), cut_.breaks.begin(), cut_.breaks.end());
-    first_.push_back(breaks_.size());
-    return number_of_nodes() <= limit;
-  }
-  /// Appends the leaves of segments first, ..., last - 1 of another.
-  void append(const Equalized_leaves& other, std::size_t first, std::size_t last) {
-    const std::size_t begin = breaks_.size() - other.first_[first];  // modulo 2^64, as it may be negative
-    const auto at = [](const std::vector<double>& v, std::size_t i) {
-      return v.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    breaks_.insert(breaks_.end(), at(other.breaks_, other.first_[first]), at(other.breaks_, other.first_[last]));
-    bounds_.insert(bounds_.end(), at(other.bounds_, first), at(other.bounds_, last));
-    for (std::size_t i = first; i < last; ++i) first_.push_back(other.first_[i + 1] + begin);
-  }
-  template <class ConcurrencyTag> void append_all(const std::vector<Equalized_leaves>& others) {
-    for (const Equalized_leaves& other : others) append(other, 0, other.bounds_.size());
-  }
-  template <class ConcurrencyTag> void complete() {}
-
-  [[nodiscard]] Node_handle root(std::uint32_t spiral) const {
-    return handle(0, spiral, first_[spiral], first_[spiral + 1] - first_[spiral] - 1);
-  }
-  template <class Visit> void for_each_half(const Node_handle& h, const Visit& visit) const {
-    const auto leaves = static_cast<std::size_t>(h.place), left = (leaves + 1) / 2;
-    visit(handle(h.level + 1, h.spiral, h.index, left));
-    visit(handle(h.level + 1, h.spiral, h.index + left, leaves - left));
-  }
-  [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
-    return first_[spiral + 1] - first_[spiral] - 1;
-  }
-  /// Writes the parameters in which the leaves of a segment end.
-  void write_ends(std::size_t spiral, double* ends) const {
-    std::copy(&breaks_[first_[spiral] + 1], &breaks_[first_[spiral]] + number_of_leaves(spiral) + 1, ends);
-  }
-  [[nodiscard]] double begin(const Node_handle& h) const { return breaks_[h.index]; }
-  [[nodiscard]] double end(const Node_handle& h) const { return breaks_[h.index + static_cast<std::size_t>(h.place)]; }
-
- private:
-  [[nodiscard]] static Node_handle handle(int level, std::uint32_t spiral, std::size_t first, std::size_t leaves) {
-    return {true, leaves == 1, level, spiral, first, leaves};
-  }
-  template <class Spiral> void guess(const Spiral& spiral) {
-    constexpr int LEVEL = 3;  // of the equal pieces that a segment is first cut into
-    const Spiral_grid grid(spiral.first(), spiral.last());
-    const int level = grid.levels() > LEVEL ? LEVEL : 0;
-    cut_.breaks.clear();
-    for (std::uint64_t i = 0; i <= std::uint64_t(1) << level; ++i) cut_.breaks.push_back(grid.parameter(level, i));
-  }
-
-  std::vector<double> breaks_, bounds_;
-  std::vector<std::size_t> first_{0};  // of each segment, in breaks_, and the number of breaks
-  Measured_breaks cut_;                // room to work in
-};
-
-}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -5,8 +5,8 @@
 // Which loop serves a construction on this machine: the one for the widest registers there are.  The results are the
 // same bits for all.  A construction without formulas has none: its pieces are bounded, and its arcs made, one by one.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_FUNCTIONS_H
-#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_FUNCTIONS_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_FUNCTIONS_H
+#define BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_FUNCTIONS_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "Batch_questions.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -9,13 +9,11 @@
 // first; on pieces beyond a vertex or inflection, which rounded ends of segments may leave, the signs that formulas ask
 // for do not hold.
 
-#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
-#define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
+#ifndef BOUNDING_ARCS_LIBRARY_SPIRAL_LOCAL_CURVE_H
+#define BOUNDING_ARCS_LIBRARY_SPIRAL_LOCAL_CURVE_H
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-
-#include <boost/smart_ptr/intrusive_ptr.hpp>
-#include <boost/smart_ptr/intrusive_ref_counter.hpp>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Stored_local_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +119,7 @@ template <> struct Local_precision<double> {
   /// near cusps and inflections.
   static constexpr double CANCELLATION = 0x1p20;
   static constexpr double DIGITS = 1 / (HALF_ULP * CANCELLATION), TURN_RATE_DIGITS = DIGITS;
-  static_assert(DIGITS == 0x1p33, "the derivations of the series of tree/internal/batch/ count in parts of this");
+  static_assert(DIGITS == 0x1p33, "the derivations of the series of src/library/tree/batch/ count in parts of this");
   /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of
   /// numerator and knesers. Each formula has the sum of its own beside it.
   static constexpr double MOST_FACTORS = 16;  ///< no formula has more figures that are exact to 1 / DIGITS as factors
@@ -129,10 +127,10 @@ template <> struct Local_precision<double> {
   /// A figure this many times its error bound has a certain sign.
   static constexpr double CERTAIN = 0x1p14;
   /// The roundings of the formulas themselves: no more operations follow each other. Part of every sum in
-  /// tree/internal/batch/.
+  /// src/library/tree/batch/.
   static constexpr double OPERATIONS = 200, OPERATION_ROUNDINGS = 0x1p-12;  ///< the latter in parts of 1 / DIGITS
   static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS,
-                "update the derivations of formulas in tree/internal/batch/");
+                "update the derivations of formulas in src/library/tree/batch/");
   /// More than products near the least number lose of lengths, with the curve's own unit.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 };
@@ -147,7 +145,7 @@ template <> struct Local_precision<float> {
   static constexpr float TURN_RATE_DIGITS = 0x1p10f;
   static constexpr double OPERATIONS = 60, OPERATION_ROUNDINGS = 1 / 30.0;
   static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS,
-                "update the derivations of formulas in tree/internal/batch/");
+                "update the derivations of formulas in src/library/tree/batch/");
   /// Numerators and denominators at least this large have lost nothing to underflow.
   static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };
@@ -169,51 +167,11 @@ struct Local_curve {
   Local_form<double> form;
 };
 
-/// A local curve as segments keep it: without what follows from the segment's ends and the rest. The numbers of cubics,
-/// and as many of others, are kept in place, more of them beside.
-class Stored_local_curve {
- public:
-  /// What numbers do not tell, apart from them, as segments have room for it elsewhere.
-  struct Key {
-    enum Flags : std::uint8_t { REVERSED = 1, MIRRORED = 2, FITS_FLOAT = 4 };
-    std::uint8_t kind = 0, flags = 0;
-  };
-
-  Stored_local_curve() = default;
-  explicit Stored_local_curve(const Local_curve& curve) {
-    if (size(curve.kind) > OWN) beside_ = new Beside;
-    exchange(
-        curve, [](double& stored, double x) { stored = x; }, *this, beside_ ? beside_->numbers : numbers_);
-  }
-  [[nodiscard]] static Key key(const Local_curve& curve) {
-    const int flags = (curve.direction < 0 ? Key::REVERSED : 0) | (curve.mirror < 0 ? Key::MIRRORED : 0) |
-                      (curve.fits_float ? Key::FITS_FLOAT : 0);
-    return {static_cast<std::uint8_t>(curve.kind), static_cast<std::uint8_t>(flags)};
-  }
-
-  /// \param key,first,last,unit those of the local curve that was stored
-  [[nodiscard]] Local_curve local_curve(const Key& key, double first, double last, double unit) const {
-    Local_curve curve(first, last, unit);
-    curve.kind = key.kind;
-    curve.direction = (key.flags & Key::REVERSED) != 0 ? -1 : 1;
-    curve.mirror = (key.flags & Key::MIRRORED) != 0 ? -1 : 1;
-    curve.fits_float = (key.flags & Key::FITS_FLOAT) != 0;
-    exchange(
-        curve, [](double stored, double& x) { x = stored; }, *this, beside_ ? beside_->numbers : numbers_);
-    curve.form.coefficients.set_middle(key.kind);
-    curve.form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * curve.form.turn_rate_error;
-    return curve;
-  }
-
- private:
-  static constexpr int OWN = 12;
-  struct Beside : boost::intrusive_ref_counter<Beside> {
-    double numbers[std::max(2 * MAX_LOCAL_DEGREE, 3 * MAX_RATIONAL_DEGREE)] = {};
-  };
-
+/// Copies the numbers that a segment keeps of its local curve.
+struct Stored_local_curve_access {
   // How many numbers are stored.
   [[nodiscard]] static constexpr int size(int kind) {
-    return kind == 3 ? OWN : (is_rational_kind(kind) ? 3 : 2) * degree_of_kind(kind);
+    return kind == 3 ? Stored_local_curve::OWN : (is_rational_kind(kind) ? 3 : 2) * degree_of_kind(kind);
   }
 
   // Calls copy with every stored number and its place in a local curve.
@@ -239,10 +197,36 @@ class Stored_local_curve {
       for (auto& x : c.change) copy(*number++, x);
     }
   }
-
-  double numbers_[OWN] = {}, bounds_[6] = {};
-  boost::intrusive_ptr<Beside> beside_;  // shared by copies, not changed
 };
+
+inline Stored_local_curve::Stored_local_curve(const Local_curve& curve) {
+  using Access = Stored_local_curve_access;
+  static_assert(MOST == std::max(2 * MAX_LOCAL_DEGREE, 3 * MAX_RATIONAL_DEGREE));
+  if (Access::size(curve.kind) > OWN) beside_ = new Beside;
+  Access::exchange(
+      curve, [](double& stored, double x) { stored = x; }, *this, beside_ ? beside_->numbers : numbers_);
+}
+
+inline Stored_local_curve::Key Stored_local_curve::key(const Local_curve& curve) {
+  const int flags = (curve.direction < 0 ? Key::REVERSED : 0) | (curve.mirror < 0 ? Key::MIRRORED : 0) |
+                    (curve.fits_float ? Key::FITS_FLOAT : 0);
+  return {static_cast<std::uint8_t>(curve.kind), static_cast<std::uint8_t>(flags)};
+}
+
+inline Segment_curve::operator Local_curve() const {
+  using Key = Stored_local_curve::Key;
+  Local_curve curve(first, last, unit);
+  curve.kind = key.kind;
+  curve.direction = (key.flags & Key::REVERSED) != 0 ? -1 : 1;
+  curve.mirror = (key.flags & Key::MIRRORED) != 0 ? -1 : 1;
+  curve.fits_float = (key.flags & Key::FITS_FLOAT) != 0;
+  Stored_local_curve_access::exchange(
+      curve, [](double stored, double& x) { x = stored; }, numbers,
+      numbers.beside_ ? numbers.beside_->numbers : numbers.numbers_);
+  curve.form.coefficients.set_middle(key.kind);
+  curve.form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * curve.form.turn_rate_error;
+  return curve;
+}
 
 }  // namespace CGAL::Bounding_arcs
 

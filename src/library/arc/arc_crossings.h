@@ -13,8 +13,8 @@
 // The outer ones are the same bits for two arcs f that meet, so that a chain of arcs crosses a circle once, not never
 // and not twice, where its ends are on different sides.  Flat arcs and segments need nothing else.
 
-#ifndef CGAL_BOUNDING_ARCS_2_ARC_ARC_CROSSINGS_H
-#define CGAL_BOUNDING_ARCS_2_ARC_ARC_CROSSINGS_H
+#ifndef BOUNDING_ARCS_LIBRARY_ARC_ARC_CROSSINGS_H
+#define BOUNDING_ARCS_LIBRARY_ARC_ARC_CROSSINGS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 
