@@ -14,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
-#include <CGAL/Bounding_arcs_2/verify/thin_pieces.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <algorithm>

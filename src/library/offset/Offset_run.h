@@ -16,7 +16,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include "../arc/arc_crossings.h"
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../tree/Box_tree.h"
 #include "Offset_job.h"
 
 #include <algorithm>

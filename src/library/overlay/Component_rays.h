@@ -14,7 +14,7 @@
 
 #include "Cut_curves.h"
 
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../tree/Box_tree.h"
 #include "../query/Winding_search.h"
 
 #include <CGAL/Bbox_2.h>

@@ -5,7 +5,7 @@
 // How a hierarchy is made: segments of each Bezier piece, samples at their ends, fat arcs, boxes.
 
 #include "Segment_hierarchy.h"
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>

@@ -4,6 +4,7 @@
 //
 // The filter's code for one or two pieces, once for all programs and instruction sets.
 
+#include "Instruction_sets.h"
 #include "batch/Bca_batch.h"
 #include "batch/Bilens_batch.h"
 #include "batch/Spiral_fat_arc_batch.h"

@@ -5,6 +5,7 @@
 // What batches say of a piece's thickness against the exact one, and the figures behind it against exact figures.
 
 #include "../../../src/library/spiral/make_local_curve.h"
+#include "../../../src/library/tree/Instruction_sets.h"
 #include "../../../src/library/tree/batch/Bca_batch.h"
 #include "../../../src/library/tree/batch/Bilens_batch.h"
 #include "../../../src/library/tree/batch/Piece_decisions.h"

@@ -10,9 +10,9 @@
 
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Plain_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Piece_filter.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Plain_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 
 #include <cstddef>

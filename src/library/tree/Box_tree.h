@@ -4,8 +4,8 @@
 //
 // A tree of boxes.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_BOX_TREE_H
-#define CGAL_BOUNDING_ARCS_2_TREE_BOX_TREE_H
+#ifndef BOUNDING_ARCS_LIBRARY_TREE_BOX_TREE_H
+#define BOUNDING_ARCS_LIBRARY_TREE_BOX_TREE_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>

@@ -4,8 +4,8 @@
 //
 // Decides pieces one by one, by the traits' functor: what a tree does without a filter.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_PLAIN_DECIDER_H
-#define CGAL_BOUNDING_ARCS_2_TREE_PLAIN_DECIDER_H
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_PLAIN_DECIDER_H
+#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_PLAIN_DECIDER_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
