@@ -13,11 +13,12 @@ namespace CGAL::Bounding_arcs {
 
 double Mpfr_interval::relative_width() const {
   if (mpfr_equal_p(lo_.get(), hi_.get()) != 0) return 0;
-  if (certain_sign() == 0 || mpfr_number_p(lo_.get()) == 0 || mpfr_number_p(hi_.get()) == 0)
+  const int sign = this->certain_sign();
+  if (sign == 0 || mpfr_number_p(lo_.get()) == 0 || mpfr_number_p(hi_.get()) == 0)
     return std::numeric_limits<double>::infinity();
   Mpfr_number x(precision());
   mpfr_sub(x.get(), hi_.get(), lo_.get(), MPFR_RNDU);
-  mpfr_div(x.get(), x.get(), certain_sign() > 0 ? lo_.get() : hi_.get(), MPFR_RNDA);
+  mpfr_div(x.get(), x.get(), sign > 0 ? lo_.get() : hi_.get(), MPFR_RNDA);
   return std::fabs(mpfr_get_d(x.get(), MPFR_RNDA));
 }
 

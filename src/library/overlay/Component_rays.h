@@ -14,8 +14,8 @@
 
 #include "Cut_curves.h"
 
-#include "../tree/Box_tree.h"
 #include "../query/Winding_search.h"
+#include "../tree/Box_tree.h"
 
 #include <CGAL/Bbox_2.h>
 

@@ -60,8 +60,8 @@ class Local_curves {
 // of u L at most; C'' / 2 is n (n - 1) L at most and asked to be n / (2 CUT_WIDTH) = n / (8 u) times smaller.
 bool has_ordinary_tangent(const Bezier_curve_2<double>& curve, double t) {
   constexpr double LEAST_SIZE = 0x1p-900;  // below, roundings are not in proportion
-  constexpr double BLENDS = 3, DIFFERENCE = 1, BEND = 8, SECOND_ORDER = 1, PER_DEGREE = 13, U = HALF_ULP;
-  static_assert(PER_DEGREE == BLENDS + DIFFERENCE + BEND + SECOND_ORDER && BEND * U == 2 * CUT_WIDTH,
+  constexpr double BLENDS = 3, SUBTRACTION = 1, BEND = 8, SECOND_ORDER = 1, PER_DEGREE = 13, U = HALF_ULP;
+  static_assert(PER_DEGREE == BLENDS + SUBTRACTION + BEND + SECOND_ORDER && BEND * U == 2 * CUT_WIDTH,
                 "update the derivation above");
   if (curve.is_rational()) return false;
   const auto& p = curve.control_points();

@@ -9,6 +9,9 @@
 #include "batch/Batch_questions.h"
 
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 
@@ -119,9 +122,9 @@ void resize_columns(Region_columns& to, std::size_t size, bool has_joints) {
 template <class Work> void with_formulas(const Region_source& source, const Work& work) {
   using filter::Method;
   if (source.served == nullptr) work(static_cast<void*>(nullptr));
-  else if (source.method == Method::BCA) work(static_cast<filter::Bca_arcs*>(nullptr));
-  else if (source.method == Method::BILENS) work(static_cast<filter::Bilens_arcs*>(nullptr));
-  else work(static_cast<filter::Spiral_fat_arc_arcs*>(nullptr));
+  else if (source.method == Method::BCA) work(static_cast<filter::Formulas<Bca>::Arcs*>(nullptr));
+  else if (source.method == Method::BILENS) work(static_cast<filter::Formulas<Bilens>::Arcs*>(nullptr));
+  else work(static_cast<filter::Formulas<Spiral_fat_arc>::Arcs*>(nullptr));
 }
 
 constexpr std::size_t AHEAD = 64;  // segments
@@ -161,8 +164,8 @@ void make_rows_of(Arcs*, const Region_source& source,
 
 struct Segment_regions::State {
   Region_source source;
-  std::variant<std::monostate, Plain_segment, Batch_segment<filter::Bca_arcs>, Batch_segment<filter::Bilens_arcs>,
-               Batch_segment<filter::Spiral_fat_arc_arcs>>
+  std::variant<std::monostate, Plain_segment, Batch_segment<filter::Formulas<Bca>::Arcs>,
+               Batch_segment<filter::Formulas<Bilens>::Arcs>, Batch_segment<filter::Formulas<Spiral_fat_arc>::Arcs>>
       segment;
 };
 

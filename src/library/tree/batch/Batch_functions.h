@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include "../Instruction_sets.h"
+#include "../../tree/Instruction_sets.h"
 #include "Batch_questions.h"
 
 #include <cstddef>

@@ -19,7 +19,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include "../../spiral/Local_figures.h"
-#include "../Instruction_sets.h"
+#include "../../tree/Instruction_sets.h"
 #include "Batch_questions.h"
 
 #include <cmath>
