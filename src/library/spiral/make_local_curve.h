@@ -29,7 +29,7 @@
 //
 // To first order errors are proportional to half an ulp, and Magnitude has no terms of second order, as sizes bound
 // computed values, too.  So the bounds of float are those of double times a constant
-// (tree/internal/batch/Batch_curve.h), provided that the errors of what goes in are in that ratio: coefficients count
+// (tree/single_loops.cpp), provided that the errors of what goes in are in that ratio: coefficients count
 // half an ulp at least, and tau and s as many as they have in float.
 
 namespace CGAL::Bounding_arcs {

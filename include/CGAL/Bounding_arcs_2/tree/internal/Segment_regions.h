@@ -33,7 +33,7 @@ namespace internal {
 
 /// How far the exact curve may be from regions that are made one by one. Each coordinate of both ends errs by
 /// `point_error` and half an ulp. Bulges and joints move arcs by less than that, and so do cuts that are rounded
-/// (tree/internal/batch/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
+/// (src/library/tree/batch/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
 template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Spiral& spiral) {
   constexpr double OF_ENDS = 2, OF_BULGES = 1, OF_CUTS = 1;
   double size = 0;
