@@ -6,7 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
-#include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
+#include "../library/verify/Thickness_proof.h"
 
 #include <CGAL/Exact_rational.h>
 

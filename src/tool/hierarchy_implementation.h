@@ -14,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
-#include <CGAL/Bounding_arcs_2/verify/thin_pieces.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <algorithm>
@@ -269,7 +268,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   static constexpr bool IS_DOUBLE = std::is_same_v<typename Traits::FT, double>;
-  static constexpr bool HAS_OUTLINES = ba::verify::has_outline_v<typename Traits::Construction>;
+  static constexpr bool HAS_OUTLINES = ba::has_outline_v<typename Traits::Construction>;
   static constexpr bool HAS_BATCHES = IS_DOUBLE && !HAS_OUTLINES;
 
   double eps_;

@@ -63,7 +63,7 @@ std::unique_ptr<Curve_hierarchy> build_yardstick(Method method, const Spirals& s
                                                  const ba::Build_options& options) {
   return with_construction(method, [&](auto type) -> std::unique_ptr<Curve_hierarchy> {
     using Construction = typename decltype(type)::type;
-    if constexpr (ba::verify::has_outline_v<Construction>) {
+    if constexpr (ba::has_outline_v<Construction>) {
       using Traits = ba::Bounding_region_traits_2<Circular<CGAL::Simple_cartesian<double>>, Construction>;
       using Tree = ba::Region_hierarchy_2<Traits, ba::Bezier_spiral_2<double>>;
       return std::make_unique<Hierarchy_of<Tree>>(spirals, eps, options);

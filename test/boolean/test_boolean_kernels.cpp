@@ -10,7 +10,7 @@
 #include "outline_checks.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

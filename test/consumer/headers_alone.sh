@@ -13,7 +13,7 @@ bases='tree/Bounding_arc_tree_2.h query/Query_point.h
   spiral/Bezier_spiral_2.h region/thickness_bound.h number/Root_number.h
   number/Mpfr_interval.h number/Exact_number.h number/convert.h number/number_types.h
   region/variant.h arc/Arc_2.h curve/Drawing_2.h curve/served_range.h
-  curve/Bezier_curve_2.h spiral/Local_curve.h'
+  curve/Bezier_curve_2.h'
 bases=$(printf 'CGAL/Bounding_arcs_2/%s ' $bases)
 bases=${bases% }
 export bases

@@ -7,7 +7,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/number/Pair.h>
+#include "../../src/library/number/Pair.h"
 
 #include <CGAL/Exact_rational.h>
 

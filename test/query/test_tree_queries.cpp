@@ -11,7 +11,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

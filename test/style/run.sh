@@ -94,6 +94,23 @@ names=$(find include/CGAL/Bounding_arcs_2 -name '*.h' -not -path '*/internal/*' 
 [ "${1:-}" != --fix ] || printf '%s\n' "$names" > test/style/public_names.txt
 refuse 'Names of public headers that are not in test/style/public_names.txt (>), or only there (<):' \
   "$(diff test/style/public_names.txt <(printf '%s\n' "$names") | grep '^[<>]')"
+# What is installed is what a user includes, and what templates need that a user instantiates. These limits are what is
+# there, and are lowered with it.
+# limit WHAT MOST COUNT: more than the most is a failure.
+limit() {
+  [ "$3" -le "$2" ] || refuse "$1: expected at most $2, found $3" 'test/style/run.sh says why there is a limit'
+}
+# named KIND ROOMS: counts the names of a kind at the tops of rooms.
+named() { grep -cE "^(${2// /|}) $1 " <<< "$names"; }
+for_users='curve tree query chain overlay boolean offset medial_axis arrangement exchange'
+for_kernels='number polynomial arc frame spiral region verify'
+mapfile -t installed < <(find include/CGAL/Bounding_arcs_2 -name '*.h')
+limit 'Installed headers' 158 "${#installed[@]}"
+limit 'Lines of installed headers' 16940 "$(cat "${installed[@]}" | wc -l)"
+limit 'Types in rooms for users' 136 "$(named type "$for_users")"
+limit 'Functions in rooms for users' 142 "$(named function "$for_users")"
+limit 'Types in rooms for kernels' 81 "$(named type "$for_kernels")"
+limit 'Functions in rooms for kernels' 145 "$(named function "$for_kernels")"
 refuse 'Not in the folder of a room, of input or of tool:' \
   "$(find test -name 'test_*.cpp' | grep -vE "^test/(${rooms// /|}|input|tool)/(internal/)?[^/]+$")"
 exit $status

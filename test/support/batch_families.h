@@ -76,7 +76,7 @@ inline std::vector<Piece> batch_pieces(Family family, unsigned seed, std::size_t
   for (int i = 0; pieces.size() < count; ++i) {
     const std::size_t most = std::min(count, pieces.size() + PIECES_PER_CURVE);
     for (const Spiral& spiral : CGAL::Bounding_arcs::spiral_segments(family_curve(random, family, i))) {
-      if (spiral.local_curve().kind == 0) continue;
+      if (spiral.local_curve().kind() == 0) continue;
       for (int k = 0; k < PIECES_PER_SEGMENT && pieces.size() < most; ++k) {
         const int depth = static_cast<int>(random() % (random() % 2 == 0 ? 10u : MAX_DEPTH + 1u));
         if (family != Family::NEAR_VERTEX) {

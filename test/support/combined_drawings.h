@@ -12,7 +12,7 @@
 #include "outline_checks.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
 #include <random>
 #include <stdexcept>

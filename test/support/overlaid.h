@@ -12,7 +12,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include "../../src/library/curve/exact_bezier.h"
 

@@ -5,7 +5,7 @@
 // Boxes over items: each box is the union of its items', each item is once in the tree, and pairs that overlap are
 // those that a plain scan finds, for every number of items up to some levels.
 
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../../src/library/tree/Box_tree.h"
 
 #include <gtest/gtest.h>
 

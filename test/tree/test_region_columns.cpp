@@ -12,6 +12,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
 #include <gtest/gtest.h>
@@ -118,31 +119,25 @@ TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
 // Segments of few leaves are made side by side with others, and are to have the bits that they have by themselves:
 // whatever their neighbours, and whichever of them a lane is left to.
 TYPED_TEST(Regions, AreTheSameBitsSideBySideAsOneByOne) {
-  using Regions = ba::Segment_regions<typename TypeParam::Construction, Spiral>;
   std::size_t few = 0, many = 0, coarse = 0;
   const auto spirals = various_spirals(7, 40);
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
     if (bounding_arcs_test::FEW_CASES && eps < 1e-2) break;
     const Tree<TypeParam> tree(spirals, eps);
     const Region_columns all = regions_of(tree);
-    Region_columns one = all;
-    Regions::resize(one, all.t.size() + Regions::PADDING);
-    for (auto* column : {&one.x, &one.y, &one.inner.bulge, &one.outer.bulge})
-      std::fill(column->begin(), column->end(), -7);
+    ba::Region_reader<Tree<TypeParam>> reader(tree);
+    reader.for_each_leaf([&](const Node_handle& h, const ba::Arc_region_2& one) {
+      const ba::Arc_region_2 region = all.region(all.row_of(tree.node(h)), h.spiral);
+      EXPECT_EQ(region.widening, one.widening) << h.spiral;
+      EXPECT_TRUE(region.from == one.from && region.to == one.to) << h.spiral;
+      for (const auto side : {&ba::Arc_region_2::inner, &ba::Arc_region_2::outer}) {
+        const ba::Arc_side_2 &a = region.*side, &b = one.*side;
+        EXPECT_TRUE(a.size == b.size && a.joint == b.joint && a.bulges[0] == b.bulges[0] && a.bulges[1] == b.bulges[1])
+            << h.spiral << ": " << region << " and " << one;
+      }
+    });
     for (std::size_t i = 0; i < tree.spirals().size(); ++i) {
-      const std::size_t row = all.first[i], count = all.first[i + 1] - row - 1;
-      const Regions regions(tree.traits().construction(), tree.spirals()[i], Instruction_set::BEST, count == 1);
-      EXPECT_EQ(regions.make(one, row, count), all.widening[i]);
-      const auto expect_same = [&](const std::vector<double>& a, const std::vector<double>& b) {
-        for (std::size_t j = row; !a.empty() && j <= row + count; ++j)
-          if (a[j] != b[j]) ADD_FAILURE() << i << " of " << count << ": " << a[j] << " and " << b[j];
-      };
-      expect_same(all.x, one.x);
-      expect_same(all.y, one.y);
-      for (const auto side : {&Region_columns::inner, &Region_columns::outer})
-        for (const auto column : {&ba::Side_columns::bulge, &ba::Side_columns::joint_x, &ba::Side_columns::joint_y,
-                                  &ba::Side_columns::second_bulge})
-          expect_same((all.*side).*column, (one.*side).*column);
+      const std::size_t count = all.first[i + 1] - all.first[i] - 1;
       ++(count <= 2 ? few : many);
       coarse += all.widening[i] > 64 * ba::ulp_of(tree.spirals()[i].coordinate_size()) ? 1 : 0;
     }

@@ -46,7 +46,7 @@ std::vector<Spiral> served_and_other_spirals(unsigned seed, int curves) {
 TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
   const std::vector<Spiral> spirals = served_and_other_spirals(401, 4);
   std::size_t served = 0;
-  for (const Spiral& s : spirals) served += s.local_curve().kind > 0;
+  for (const Spiral& s : spirals) served += s.local_curve().kind() > 0;
   ASSERT_TRUE(served > 3 && served + 3 < spirals.size());
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-11}) {
     if (FEW_CASES && eps < 1e-5) break;

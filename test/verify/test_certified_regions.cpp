@@ -5,6 +5,7 @@
 // Certified regions: their widening is some ulp, is proven in exact arithmetic too, and holds slivers and cusps;
 // without it, or around smaller regions, nothing is proven.
 
+#include "../../src/library/verify/Outside_proof.h"
 #include "cases.h"
 #include "degenerate_curves.h"
 #include "random_spirals.h"
@@ -48,7 +49,7 @@ Bezier moved_and_scaled(const Bezier& curve, const Point& by, double scale) {
 
 // The same rounded region, wherever it comes from, has to be proven in exact arithmetic alone.
 template <class FT> bool is_within_exactly(const Piece& p, const Certified_region_2<FT>& region) {
-  return verify::Outside_proof<Exact>(p.spiral, p.t0, p.t1, region.boundary, region.widening).bound() <=
+  return verify::Outside_proof<Exact>({p.spiral, p.t0, p.t1}, region.boundary, region.widening).bound() <=
          region.widening;
 }
 

@@ -4,6 +4,9 @@
 //
 // Proofs: intervals and signs that they rest on, regions that are proven, and wrong ones that are not.
 
+#include "../../src/library/verify/Thickness_proof.h"
+#include "../../src/library/verify/prove_bca.h"
+#include "../../src/library/verify/with_curvature_bounds.h"
 #include "Sagitta.h"
 #include "cases.h"
 

@@ -9,9 +9,9 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Interval_isolation.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include "../polynomial/Interval_isolation.h"
 #include "../query/Intersection_search.h"
 #include "../query/line_pairs.h"
 #include "../tree/Segment_hierarchy.h"
@@ -250,15 +250,15 @@ namespace {
 /// \return nothing where intervals do not tell
 [[nodiscard]] std::optional<std::vector<Bracket>> turn_ranges(const Bezier_curve_2<double>& c, bool is_vertical) {
   const Protect_FPU_rounding<true> upward;
-  Interval_isolation::Polynomial::Coefficients coordinates, weights;
+  internal::Interval_isolation::Polynomial::Coefficients coordinates, weights;
   for (int i = 0; i <= c.degree(); ++i) {
     const auto& p = c.control_points()[static_cast<std::size_t>(i)];
     weights.emplace_back(c.weight(i));
     coordinates.push_back(Unprotected_interval(is_vertical ? p.y : p.x) * weights.back());
   }
-  const Interval_isolation::Polynomial x(std::move(coordinates)), w(std::move(weights)),
+  const internal::Interval_isolation::Polynomial x(std::move(coordinates)), w(std::move(weights)),
       slope = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative();
-  const Interval_isolation found(slope);
+  const internal::Interval_isolation found(slope);
   if (!found.undecided.empty()) return std::nullopt;
   std::vector<Bracket> ranges;
   for (const Root_cell& cell : found.cells) {

@@ -15,7 +15,7 @@
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
+#include "../tree/equalize_breaks.h"
 
 #include <algorithm>
 #include <array>

@@ -12,8 +12,8 @@
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
+#include "../tree/equalize_breaks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_ARC_BLOCKS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../tree/Box_tree.h"
 
 #include <CGAL/Bbox_2.h>
 

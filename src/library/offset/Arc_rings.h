@@ -13,8 +13,8 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_ARC_RINGS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../arc/arc_crossings.h"
+#include "../tree/Box_tree.h"
 #include "Arc_blocks.h"
 
 #include <algorithm>

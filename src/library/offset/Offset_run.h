@@ -15,8 +15,8 @@
 #include "offset_chains.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include "../arc/arc_crossings.h"
+#include "../tree/Box_tree.h"
 #include "Offset_job.h"
 
 #include <algorithm>

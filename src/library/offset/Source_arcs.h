@@ -9,8 +9,8 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_SOURCE_ARCS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include "../arc/arc_crossings.h"
 #include "Arc_blocks.h"
 #include "Arc_rings.h"
 

@@ -17,8 +17,8 @@
 #include "Raw_offset.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include "../arc/arc_crossings.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -18,7 +18,7 @@
 #include "few_pieces.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
+#include "../arc/arc_crossings.h"
 #include "offset_chains.h"
 
 #include <algorithm>

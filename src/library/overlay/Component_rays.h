@@ -18,8 +18,8 @@
 #include <cmath>
 #include "Cut_curves.h"
 
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include "../query/Winding_search.h"
+#include "../tree/Box_tree.h"
 
 #include <CGAL/Bbox_2.h>
 

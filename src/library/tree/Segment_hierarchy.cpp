@@ -5,7 +5,7 @@
 // How a hierarchy is made: segments of each Bezier piece, samples at their ends, fat arcs, boxes.
 
 #include "Segment_hierarchy.h"
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
@@ -329,7 +329,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
   }
   if (is_good) return;
   std::vector<Bezier_spiral_2<double>> spirals;
-  add_spiral_segments(curve, cuts, segments_[first].place, spirals);
+  internal::add_spiral_segments(curve, cuts, segments_[first].place, spirals);
   // where weights differ so much that a curve turns within the width of a cut, that is a segment by itself
   constexpr double COARSE = 0x1p-44;
   std::vector<std::size_t> coarse;

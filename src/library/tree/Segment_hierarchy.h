@@ -23,8 +23,8 @@
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
+#include "Box_tree.h"
 #include "Spiral_piece_2.h"
 
 #include <algorithm>

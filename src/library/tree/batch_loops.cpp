@@ -12,8 +12,8 @@
 #include "batch/top_levels.h"
 #include "for_instruction_sets.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../spiral/Local_curve.h"
+#include "batch/Batch_questions.h"
 
 namespace CGAL::Bounding_arcs::filter {
 

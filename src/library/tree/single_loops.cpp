@@ -4,16 +4,17 @@
 //
 // The filter's code for one or two pieces, once for all programs and instruction sets.
 
+#include "Instruction_sets.h"
 #include "batch/Bca_batch.h"
 #include "batch/Bilens_batch.h"
 #include "batch/Spiral_fat_arc_batch.h"
 #include "batch/arc_batch.h"
 #include "batch/bound_batch.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
-#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../spiral/Local_curve.h"
+#include "../spiral/make_local_curve.h"
+#include "batch/Batch_questions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 //
 // The filter for roots of cubics' numerators against the plain algorithm: where it answers, the same bits.
 
+#include "../../../src/library/spiral/Cubic_roots.h"
+#include "../../../src/library/spiral/spiral_cuts.h"
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
@@ -188,11 +190,13 @@ const Family FAMILIES[] = {
 
 // The number of numerators that the filter knows the roots of.
 int expect_same_roots(const Bezier_curve_2<double>& c) {
-  const internal::Numerator_roots plain = internal::numerator_roots<double, internal::No_root_filter>(c);
+  const internal::Numerator_roots plain = internal::with_cut_numbers(c, [](const internal::Cut_numbers& numbers) {
+    return internal::numerator_roots(numbers, internal::No_root_filter());
+  });
   const internal::Cubic_roots filter(c);
   int known = 0;
   for (const internal::Numerator which : {SPEED_X, SPEED_Y, INFLECTION, CURVATURE_CHANGE})
-    if (const std::optional<Unit_roots> roots = filter(which)) {
+    if (const std::optional<internal::Unit_roots> roots = filter(which)) {
       ++known;
       EXPECT_EQ(roots->is_zero, plain[which].is_zero);
       EXPECT_EQ(roots->roots, plain[which].roots) << which;

@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "random_spirals.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
+#include "../../../src/library/spiral/make_local_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ std::vector<double> bounds(const Local_curve& curve) {
 TEST(LocalCurve, OfACubicIsThatFromItsTable) {
   int equal = 0, served = 0, all = 0;
   for_segments([&](const Tabulated_bezier<double>& curve, double first, double last) {
-    const Local_curve plain = make_local_curve(curve.table<Double_double>(), first, last),
+    const Local_curve plain = internal::make_local_curve(curve.table<Double_double>(), first, last),
                       fast = Cubic_local_curves(curve.curve(), curve.unit())(first, last);
     ++all;
     if (plain.kind == 0 || fast.kind == 0) return;
@@ -184,7 +184,7 @@ TEST(LocalCurve, IsKeptBySegmentsInLittleRoom) {
     for (int degree = 2; degree <= (is_rational ? MAX_RATIONAL_DEGREE : MAX_LOCAL_DEGREE); ++degree)
       for (int i = 0; i < 20; ++i)
         for (const Spiral& s : spiral_segments(random_curve(random, degree, is_rational))) {
-          const Local_curve made = make_local_curve(s.table<Double_double>(), s.first(), s.last()),
+          const Local_curve made = internal::make_local_curve(s.table<Double_double>(), s.first(), s.last()),
                             kept = Spiral(s).local_curve();
           if (is_rational && made.kind == 0) continue;  // weights that change too much
           ASSERT_EQ(kept.kind, curve_kind(degree, is_rational));

@@ -4,7 +4,7 @@
 //
 // The searches over all eight kinds of region come to the same answers, and what regions hold is in them.
 
-#include "../../src/library/tree/Segment_hierarchy.h"
+#include "../../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "extreme_pairs.h"
 #include "hard_cases.h"

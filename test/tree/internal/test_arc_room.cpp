@@ -40,7 +40,7 @@ TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
   const Spiral spiral(curve, 0, 0x1p-10, {}, false);
   const ba::filter::Arc_room points = room_of(spiral);
   const double ulp = 0x1p-52, speed = 3 * std::sqrt(8), of_ends = std::sqrt(2);  // |C'(0)|, and by what ends err
-  const double room = points.room * spiral.local_curve().form.unit;
+  const double room = points.room * ba::Local_curve(spiral.local_curve()).form.unit;
   EXPECT_GT(room, 0);
   EXPECT_LE(room, 8 * ulp - of_ends * ulp - speed * (ulp / 2));
 }
@@ -56,7 +56,7 @@ TEST(ArcPoints, LeaveRoomForTheRoundingsOnTheWay) {
   const double beyond = std::sqrt(5) * half_ulp;         // |C'(1)|
   const double moved = std::hypot(1, std::sqrt(2) - 1);  // by ends of an arc of the largest bulge, tan 22.5
   EXPECT_GT(points.room, 0);
-  EXPECT_LE(points.room * spiral.local_curve().form.unit, 8 * ulp - moved * std::hypot(x, y) - beyond);
+  EXPECT_LE(points.room * ba::Local_curve(spiral.local_curve()).form.unit, 8 * ulp - moved * std::hypot(x, y) - beyond);
 }
 
 // The quarter of the unit circle by weights (1, 1, 2) about its middle: the numerator's way and the weight's err, and

@@ -4,15 +4,17 @@
 //
 // What batches say of a piece's thickness against the exact one, and the figures behind it against exact figures.
 
+#include "../../../src/library/spiral/make_local_curve.h"
+#include "../../../src/library/tree/Instruction_sets.h"
 #include "../../../src/library/tree/batch/Bca_batch.h"
 #include "../../../src/library/tree/batch/Bilens_batch.h"
+#include "../../../src/library/tree/batch/Piece_decisions.h"
 #include "../../../src/library/tree/batch/Spiral_fat_arc_batch.h"
 #include "../../../src/library/tree/batch/bound_batch.h"
 #include "batch_families.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <gtest/gtest.h>
 
@@ -61,7 +63,7 @@ template <class Method, int KIND> Bounds bounds_of_kind(const Piece& piece, Form
 }
 template <class Construction> Bounds bounds(const Piece& piece, Form form) {
   using Method = typename filter::Formulas<Construction>::Type;
-  return for_kind(piece.spiral.local_curve().kind,
+  return for_kind(piece.spiral.local_curve().kind(),
                   [&](auto kind) { return bounds_of_kind<Method, kind()>(piece, form); });
 }
 
@@ -167,7 +169,7 @@ void expect_figures_within_bounds(const Piece& piece, const Local_form<Real>& c,
   const auto e = local_ends<KIND>(c.coefficients, tau, f);
   // a batch may see the curve reversed and mirrored
   auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
-  const bool is_reversed = piece.spiral.local_curve().direction < 0,
+  const bool is_reversed = Local_curve(piece.spiral.local_curve()).direction < 0,
              turns_otherwise = CGAL::sign(Exact(x.cross0 + x.cross1)) != CGAL::sign(f.a);
   if (is_reversed) {
     std::swap(x.tangent0, x.tangent1);
@@ -186,7 +188,7 @@ void expect_figures_within_bounds(const Piece& piece, const Local_form<Real>& c,
       for (std::size_t i = 0; i + 1 < w.size(); ++i) w[i] = (Exact(1) - Exact(t)) * w[i] + Exact(t) * w[i + 1];
     return w.empty() ? Exact(1) : w[0];
   };
-  const Exact of_chord = Exact(x.unit / Exact(piece.spiral.local_curve().form.unit)),
+  const Exact of_chord = Exact(x.unit / Exact(Local_curve(piece.spiral.local_curve()).form.unit)),
               of_tangents = Exact(of_chord * (1 + weight(piece.t1) / weight(piece.t0)) / 2);
   x.chord = of_chord * x.chord;
   x.tangent0 = of_tangents * x.tangent0;
@@ -249,7 +251,7 @@ TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
     int all = 0, rough = 0;
     for (const Piece& piece : batch_pieces(family, SEED + 1)) {
       if (!(piece.t0 < piece.t1)) continue;
-      const int kind = piece.spiral.local_curve().kind;
+      const int kind = piece.spiral.local_curve().kind();
       ASSERT_NE(kind, 0);
       ++of_kind[kind];
       ++all;

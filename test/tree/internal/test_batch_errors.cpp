@@ -16,7 +16,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_functions.h>
+#include "../../../src/library/tree/batch/Batch_functions.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 
 #include "../../../src/library/tree/batch/Bca_batch.h"
 #include "../../../src/library/tree/batch/Bilens_batch.h"
+#include "../../../src/library/tree/batch/Piece_decisions.h"
 #include "../../../src/library/tree/batch/Spiral_fat_arc_batch.h"
 #include "../../../src/library/tree/batch/bound_batch.h"
 #include "batch_families.h"
@@ -13,7 +14,6 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <gtest/gtest.h>
 
@@ -194,7 +194,7 @@ TYPED_TEST(Batches, DecideFirstLevelsSideBySideAsPieceByPiece) {
     const auto functions = ba::filter::Batch_functions::of<Formula>(set);
     for (const double eps : {1e-2, 1e-4, 1e-6, 1e-12, 1e-30})
       for (const bool are_kept : {false, true}) {
-        ba::filter::Look_ahead<Spiral> ahead;
+        ba::filter::Look_ahead ahead;
         ahead.decide(functions, spirals.data(), spirals.size(), eps, are_kept);
         for (const Spiral& spiral : spirals) {
           const ba::filter::Segment_top top = ahead.top(spiral);
@@ -246,7 +246,10 @@ TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
   const auto bound = traits.bound_thickness_2_object();
   const auto batches =
       ba::filter::Batch_functions::of<typename ba::filter::Formulas<ba::Bca>::Type>(Instruction_set::BEST);
-  ba::filter::Piece_decisions<std::decay_t<decltype(bound)>, Spiral> decide(bound, batches, spiral);
+  const ba::filter::Open_piece open = [&](double begin, double end, double eps) {
+    return bound(ba::Piece_source<Spiral>{spiral, begin, end}, eps);
+  };
+  ba::filter::Piece_decisions decide(open, batches, spiral.local_curve());
   ASSERT_TRUE(decide.has_batches());
   ba::Region_nodes nodes(false);
   ba::Decision_counts counts;

@@ -4,6 +4,7 @@
 //
 // A tree cuts each Bezier piece of its curves once, and whatever descends it cuts none again.
 
+#include "../../../src/library/spiral/spiral_cuts.h"
 #include "../../../src/library/tree/Segment_hierarchy.h"
 #include "query_drawings.h"
 

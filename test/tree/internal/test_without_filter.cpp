@@ -8,7 +8,6 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <CGAL/Cartesian.h>
 

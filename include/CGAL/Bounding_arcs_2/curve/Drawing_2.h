@@ -9,6 +9,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <algorithm>
@@ -18,6 +20,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -131,6 +134,32 @@ template <class NT> class Drawing_2 {
 
   std::vector<Curve> curves_;
 };
+
+/// Converts a drawing: each number is converted by convert(): exactly where the target holds it, else rounded.
+template <class To, class From> [[nodiscard]] Drawing_2<To> converted(const Drawing_2<From>& drawing) {
+  const auto number = [](const From& x) {
+    if constexpr (std::is_same_v<From, long double> && !std::is_floating_point_v<To>)
+      return convert<To>(Exact_number<From>::make(x));
+    else return convert<To>(x);
+  };
+  const auto numbers = [&](const std::vector<From>& all) {
+    std::vector<To> result;
+    result.reserve(all.size());
+    for (const From& x : all) result.push_back(number(x));
+    return result;
+  };
+  Drawing_2<To> result;
+  for (const auto& curve : drawing.curves()) {
+    std::vector<Bezier_curve_2<To>> chain;
+    for (const auto& piece : curve.beziers) {
+      std::vector<Xy<To>> points;
+      for (const auto& p : piece.control_points()) points.push_back({number(p.x), number(p.y)});
+      chain.emplace_back(std::move(points), numbers(piece.weights()));
+    }
+    result.add(std::move(chain), curve.name, numbers(curve.parameters));
+  }
+  return result;
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -90,6 +90,12 @@ template <class NT> struct Region_outline_2 {
   bool inner_is_left = true;  ///< of the curve's direction
 };
 
+/// Whether a construction's regions are outlines.
+template <class Construction>
+inline constexpr bool has_outline_v =
+    std::is_same_v<decltype(std::declval<const Construction&>().boundary(std::declval<const Chord_frame_2<double>&>())),
+                   Region_outline_2<double>>;
+
 /// The segment from one point to another as a boundary's piece.
 template <class NT> [[nodiscard]] Boundary_piece_2<NT> segment_between(const Xy<NT>& from, const Xy<NT>& to) {
   return {from, to, {from, perp(to - from), NT(0)}};

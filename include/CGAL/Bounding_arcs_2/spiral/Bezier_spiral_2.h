@@ -17,7 +17,6 @@
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/Tabulated_bezier.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/end_orders.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <algorithm>
@@ -55,12 +54,15 @@ template <class NT> class Bezier_spiral_2 {
 
   Bezier_spiral_2(const std::shared_ptr<const Tabulated_bezier<NT>>& curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place = {})
-      : Bezier_spiral_2(curve, first, last, orders, is_straight, place, Local_curves<NT>(*curve),
+      : Bezier_spiral_2(curve, first, last, orders, is_straight, place,
+                        [&](double from, double to) { return internal::kept_local_curve_of(*curve, from, to); },
                         {curve->end_point(first), curve->end_point(last)}) {}
   /// Makes a segment; segments of a curve can share what makes their local curves, and the points in which they meet.
+  /// \param local_curves local_curves(first, last) -> Kept_local_curve
+  template <class LocalCurves>
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place,
-                  const Local_curves<NT>& local_curves, const End_points& points);
+                  const LocalCurves& local_curves, const End_points& points);
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
@@ -68,9 +70,7 @@ template <class NT> class Bezier_spiral_2 {
   /// Which Bezier piece of which curve it is a part of, and why it ends where it does.
   [[nodiscard]] const Segment_place& place() const { return place_; }
   /// The segment about its middle in doubles, with error bounds; of kind 0 where there is none.
-  [[nodiscard]] Local_curve local_curve() const {
-    return local_.local_curve(local_key_, first_, last_, curve_->unit());
-  }
+  [[nodiscard]] Segment_curve local_curve() const { return {local_, local_key_, first_, last_, curve_->unit()}; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const;
 
@@ -160,9 +160,10 @@ template <class NT> class Bezier_spiral_2 {
 };
 
 template <class NT>
+template <class LocalCurves>
 Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                                      const End_orders& orders, bool is_straight, const Segment_place& place,
-                                     const Local_curves<NT>& local_curves, const End_points& points)
+                                     const LocalCurves& local_curves, const End_points& points)
     : curve_(std::move(curve)), first_(first), last_(last), points_(points), orders_(orders), place_(place),
       is_straight_(is_straight) {
   if constexpr (std::is_floating_point_v<NT>) {
@@ -175,9 +176,9 @@ Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>>
   const bool has_tangents =
       (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
   if (is_straight || !has_tangents) return;
-  const Local_curve local = local_curves(first, last);
-  local_ = Stored_local_curve(local);
-  local_key_ = Stored_local_curve::key(local);
+  Kept_local_curve local = local_curves(first, last);
+  local_ = std::move(local.numbers);
+  local_key_ = local.key;
 }
 
 template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curve_2<Exact_number_type> {
@@ -226,12 +227,48 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
+namespace internal {
+
+// The curve's Taylor vectors about t, up to a common factor, each times its power of a unit parameter. They are made
+// from the piece between t and half a unit beside it, inside [0, 1]: outside, the weight may vanish.
+template <class T> [[nodiscard]] Coefficients<Xy<T>> taylor_vectors(const Taylor_table<T>& table, double t) {
+  const double step = t < 0.5 ? 0.5 : -0.5;
+  auto about_t = relative_piece(table, T(t), T(T(t) + T(step))).m;
+  double factor = 1;
+  for (std::size_t k = 1; k < about_t.size(); ++k) {
+    factor /= step;
+    about_t[k] = T(factor) * about_t[k];
+  }
+  return about_t;
+}
+
+// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
+// next tell: a tangent that turns within that width tells nothing of the curve beside it.
+[[nodiscard]] std::int16_t tangent_order(const Taylor_table<Double_double>& table, double t);
+
+// The width of parameter within which a bend is none if the next one exceeds it; see End_orders. A fold whose control
+// points are rounded has a third derivative of some ulp, and is no cusp for that. Wider, and curvatures are off by more
+// than proofs widen them by (2^-44); 32 times narrower, and folds of degree 6 are taken for cusps.
+inline constexpr double BEND_WIDTH = 0x1p-46;
+
+template <class Exact>
+[[nodiscard]] std::int16_t bend_order(const Taylor_table<Exact>& table, double t, std::int16_t order) {
+  const auto about_t = taylor_vectors(table, t);
+  const auto first = static_cast<std::size_t>(order);
+  const auto size = [&](std::size_t j) {
+    return j < about_t.size() ? Exact(CGAL::abs(Exact(cross(about_t[first], about_t[j])))) : Exact(0);
+  };
+  for (std::size_t j = first + 1; j < about_t.size(); ++j)
+    if (size(j) > Exact(static_cast<double>(j + 1) * BEND_WIDTH) * size(j + 1)) return static_cast<std::int16_t>(j);
+  return 0;
+}
+
 // Appends the spiral segments of a curve between its cuts. \pre it is served
-template <class NT>
-void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameters& cuts, const Segment_place& place,
-                         std::vector<Bezier_spiral_2<NT>>& spirals) {
-  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
-  const Local_curves<NT> local_curves(*shared);
+// \param tangent_order_at tangent_order_at(t), see End_orders
+template <class NT, class Order, class LocalCurves>
+void add_segments(const std::shared_ptr<const Tabulated_bezier<NT>>& shared, const Spiral_parameters& cuts,
+                  const Segment_place& place, const Order& tangent_order_at, const LocalCurves& local_curves,
+                  std::vector<Bezier_spiral_2<NT>>& spirals) {
   struct End {
     double t;
     Xy<NT> point;
@@ -239,10 +276,12 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameter
     Cut_reason reason;
   };
   const auto end_at = [&](double t, Cut_reason reason) {
-    const std::int16_t order = internal::tangent_order(*shared, t);
+    const std::int16_t order = tangent_order_at(t);
     const bool may_bend = order > 1 && !cuts.is_straight;
-    return End{t, shared->end_point(t), order, may_bend ? internal::bend_order(*shared, t, order) : std::int16_t(0),
-               reason};
+    return End{
+        t, shared->end_point(t), order,
+        may_bend ? bend_order(shared->template table<typename Exact_number<NT>::Type>(), t, order) : std::int16_t(0),
+        reason};
   };
   End first = end_at(0, place.first);
   const auto add = [&](const End& last) {
@@ -255,6 +294,21 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameter
   add(end_at(1, place.last));
 }
 
+template <class NT>
+void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameters& cuts, const Segment_place& place,
+                         std::vector<Bezier_spiral_2<NT>>& spirals) {
+  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
+  const auto& table = shared->template table<Double_double>();
+  add_segments(
+      shared, cuts, place, [&](double t) { return tangent_order(table, t); },
+      [&](double first, double last) { return kept_local_curve(table, first, last); }, spirals);
+}
+template <>
+void add_spiral_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, const Segment_place& place,
+                         std::vector<Bezier_spiral_2<double>>& spirals);
+
+}  // namespace internal
+
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
 /// \param place of the curve as a whole: its numbers, and what its ends are
 /// \guarantee no cut is missed: see spiral_parameters
@@ -264,7 +318,7 @@ template <class NT>
                                                                const Segment_place& place = {}) {
   std::vector<Bezier_spiral_2<NT>> spirals;
   check_served(curve);
-  add_spiral_segments(curve, spiral_parameters(curve), place, spirals);
+  internal::add_spiral_segments(curve, spiral_parameters(curve), place, spirals);
   return spirals;
 }
 
@@ -290,8 +344,9 @@ template <class NT, class Cuts>
   for (std::size_t i = first; i < last; ++i) {
     const auto& curve = drawing.curves()[i];
     for (std::size_t j = 0; j < curve.beziers.size(); ++j)
-      add_spiral_segments(curve.beziers[j], cuts(i, j),
-                          bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)), spirals);
+      internal::add_spiral_segments(curve.beziers[j], cuts(i, j),
+                                    bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)),
+                                    spirals);
   }
   return spirals;
 }

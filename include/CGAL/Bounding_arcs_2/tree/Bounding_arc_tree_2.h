@@ -9,7 +9,6 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
 
 #include <CGAL/Bbox_2.h>
 

@@ -12,12 +12,12 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Filtered_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Segment_boxes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
@@ -287,12 +287,14 @@ class Region_hierarchy_2 {
       else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
       else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
     } else {
-      const Box_tree::Node& node = boxes().node(static_cast<std::uint32_t>(h.index));
-      for (std::size_t k = 0; k < node.size; ++k) {
+      const auto node = static_cast<std::uint32_t>(h.index);
+      const internal::Segment_boxes& all = boxes();
+      for (std::size_t k = 0; k < all.number_of_children(node); ++k) {
+        const auto below = all.child(node, k);
         Node_handle child;
-        child.index = node.child[k];
-        child.place = h.index * Box_tree::WIDTH + k;
-        if (node.is_item(k)) visit(segment_root(node.child[k]));
+        child.index = below.number;
+        child.place = below.slot;
+        if (below.is_segment) visit(segment_root(below.number));
         else visit(child);
       }
     }
@@ -326,11 +328,7 @@ class Region_hierarchy_2 {
   /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
   [[nodiscard]] CGAL::Bbox_2 box(const Node_handle& h) const {
     if (spirals_.empty()) return {};
-    if (!h.is_region) {
-      constexpr std::size_t WIDTH = Box_tree::WIDTH;
-      return h.index == 0 ? boxes().box()
-                          : boxes().node(static_cast<std::uint32_t>(h.place / WIDTH)).box(h.place % WIDTH);
-    }
+    if (!h.is_region) return h.index == 0 ? boxes().box() : boxes().box(h.place);
     const Region_node n = node(h);
     return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
   }
@@ -356,15 +354,15 @@ class Region_hierarchy_2 {
   }
 
  private:
-  using Boxes_later = Made_once<Box_tree>;
+  using Boxes_later = Made_once<internal::Segment_boxes>;
 
   // The boxes over segments.
-  [[nodiscard]] const Box_tree& boxes() const {
+  [[nodiscard]] const internal::Segment_boxes& boxes() const {
     return (*boxes_)([this] {
       std::vector<CGAL::Bbox_2> boxes;
       boxes.reserve(spirals_.size());
       for (const Spiral& s : spirals_) boxes.push_back(box_of_piece(s, s.first(), s.last()));
-      return Box_tree(boxes);
+      return internal::Segment_boxes(boxes);
     });
   }
 

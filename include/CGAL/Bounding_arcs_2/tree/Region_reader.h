@@ -28,14 +28,14 @@ namespace CGAL::Bounding_arcs {
 /// const Arc_region_2 whole = reader.region(regions.segment_root(0));
 /// \endcode
 template <class Tree> class Region_reader {
-  using Regions = Segment_regions<typename Tree::Traits::Construction, typename Tree::Spiral>;
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are made by Tree::region");
 
  public:
-  explicit Region_reader(const Tree& tree, Instruction_set set = Instruction_set::BEST) : tree_(&tree), set_(set) {
+  explicit Region_reader(const Tree& tree, Instruction_set set = Instruction_set::BEST)
+      : tree_(&tree), segment_(internal::Region_source(tree.traits().construction(), tree.spirals(), set)) {
     rows_.first = {0, MOST + 1};
     rows_.widening.resize(1);
-    Regions::resize(rows_, MOST + 1 + Regions::PADDING);
+    segment_.resize(rows_, MOST + 1 + internal::Segment_regions::PADDING);
   }
 
   /// The region of a region node, of any kind of nodes. \pre h.is_region
@@ -91,27 +91,26 @@ template <class Tree> class Region_reader {
   static constexpr std::size_t MOST = 2;  // pieces at once
 
   void open(std::uint32_t spiral) {
-    if (segment_ && spiral == spiral_) return;
-    segment_.emplace(tree_->traits().construction(), tree_->spirals()[spiral], set_);
+    if (spiral == spiral_) return;
+    segment_.open(spiral);
     spiral_ = spiral;
   }
   void make(std::uint32_t spiral, std::size_t count) {
     open(spiral);
-    rows_.widening[0] = segment_->make(rows_, 0, count);
+    rows_.widening[0] = segment_.make(rows_, 0, count);
   }
   void make_leaves(std::uint32_t spiral, typename Tree::Leaf_room& room, Region_columns& leaves) {
     open(spiral);
     const std::size_t count = tree_->number_of_leaves(spiral);
-    Regions::resize(leaves, count + 1 + Regions::PADDING);
+    segment_.resize(leaves, count + 1 + internal::Segment_regions::PADDING);
     leaves.t[0] = tree_->spirals()[spiral].first();
     tree_->write_leaf_ends(spiral, room, &leaves.t[1]);
-    leaves.widening[0] = segment_->make(leaves, 0, count);
+    leaves.widening[0] = segment_.make(leaves, 0, count);
   }
 
   const Tree* tree_;
-  Instruction_set set_;
-  std::optional<Regions> segment_;
-  std::uint32_t spiral_ = 0;
+  internal::Segment_regions segment_;
+  std::optional<std::uint32_t> spiral_;  // whose regions segment_ makes
   Region_columns rows_;
 };
 

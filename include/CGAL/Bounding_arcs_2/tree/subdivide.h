@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The algorithm: a spiral segment is halved while its regions are too thick.  This is the path of every kernel and
-// curve without a filter; tree/internal/batch/Filtered_decider.h makes the same nodes many at a time (Lee, Kim, Elber
+// curve without a filter; src/library/tree/batch/Piece_decisions.h makes the same nodes many at a time (Lee, Kim, Elber
 // 2015, section 5).
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_TREE_SPIRALS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_TREE_SPIRALS_H
 
-#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>

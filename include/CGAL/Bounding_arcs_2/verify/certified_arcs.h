@@ -9,7 +9,6 @@
 
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
-#include <CGAL/Bounding_arcs_2/verify/thin_pieces.h>
 
 #include <algorithm>
 

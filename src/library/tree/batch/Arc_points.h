@@ -35,9 +35,9 @@
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../../spiral/Local_curve.h"
+#include "Batch_questions.h"
 
 #include <cmath>
 #include <cstddef>

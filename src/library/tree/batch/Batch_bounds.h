@@ -16,8 +16,8 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../../spiral/Local_figures.h"
+#include "Batch_questions.h"
 
 #include <cstddef>
 #include <limits>

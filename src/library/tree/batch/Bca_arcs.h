@@ -11,7 +11,7 @@
 #include "Half_tangents.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
+#include "../../spiral/Local_figures.h"
 
 namespace CGAL::Bounding_arcs::filter {
 

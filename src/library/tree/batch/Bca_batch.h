@@ -10,7 +10,7 @@
 #include "Rough_figures.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
+#include "../../spiral/Local_figures.h"
 
 #include <cmath>
 

@@ -18,7 +18,7 @@
 #include "Batch_bounds.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
+#include "../../spiral/Local_figures.h"
 
 #include <cmath>
 

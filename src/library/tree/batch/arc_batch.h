@@ -15,7 +15,7 @@
 #include "Spiral_fat_arc_arcs.h"
 #include "bound_batch.h"
 
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "Batch_questions.h"
 
 #include <cstddef>
 #include <cstdint>

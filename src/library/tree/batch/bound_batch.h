@@ -18,8 +18,9 @@
 #include "Rough_figures.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../../spiral/Local_figures.h"
+#include "../../tree/Instruction_sets.h"
+#include "Batch_questions.h"
 
 #include <cmath>
 #include <cstddef>
@@ -168,7 +169,7 @@ void decide_roughly(const Local_curve& curve, const Local_form<float>& form, con
 }
 
 /// How far an upper bound that is kept may be above the thickness, in parts of it. Others are left open, and then had
-/// from more digits: kept thicknesses and measures of pieces (tree/Plain_decider.h) are the same by all ways.
+/// from more digits: kept thicknesses and measures of pieces (tree/internal/Plain_decider.h) are the same by all ways.
 inline constexpr double CLOSE_BOUND = 0x1p-24;
 [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE bool is_close(double lower, double upper) {
   return upper - lower <= CLOSE_BOUND * lower;

@@ -11,8 +11,8 @@
 #include "Arc_points.h"
 #include "arc_batch.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/accurate_point.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "../../spiral/accurate_point.h"
+#include "Batch_questions.h"
 
 #include <cstddef>
 

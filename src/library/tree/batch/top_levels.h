@@ -10,7 +10,7 @@
 
 #include "bound_batch.h"
 
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_questions.h>
+#include "Batch_questions.h"
 
 #include <cmath>
 #include <cstddef>

@@ -11,16 +11,16 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
-#include <CGAL/Bounding_arcs_2/spiral/accurate_point.h>
-#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Stored_local_curve.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -43,20 +43,7 @@ template <class NT> class Tabulated_bezier {
 
   template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
   /// A point in which segments may end, rounded from twice the digits where that is quick.
-  [[nodiscard]] Xy<NT> end_point(double t) const {
-    if constexpr (std::is_same_v<NT, double>) {
-      constexpr double MOST = 0x1p900, LEAST = 0x1p-900;  // beyond, products of parts leave the range of double
-      constexpr double MOST_WEIGHT = 0x1p60, LEAST_WEIGHT = 0x1p-60;
-      const bool is_rational = curve_.is_rational(), is_quick = curve_kind(curve_.degree(), is_rational) != 0,
-                 is_in_range = size_ <= MOST && size_ >= LEAST;
-      if (is_quick && is_in_range && curve_.degree() >= 1) {
-        if (!is_rational) return accurate_point(curve_, t);
-        const auto [least, most] = std::minmax_element(curve_.weights().begin(), curve_.weights().end());
-        if (*least >= LEAST_WEIGHT && *most <= MOST_WEIGHT) return accurate_rational_point(curve_, t);
-      }
-    }
-    return curve_.point(NT(t));
-  }
+  [[nodiscard]] Xy<NT> end_point(double t) const { return curve_.point(NT(t)); }
 
   /// The curve over the exact number type, every control point converted without error.
   [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
@@ -97,6 +84,8 @@ template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<N
   }
 }
 
+template <> Xy<double> Tabulated_bezier<double>::end_point(double t) const;
+
 template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezier_curve_2<Exact> {
   std::vector<Xy<Exact>> points;
   std::vector<Exact> weights;
@@ -106,23 +95,18 @@ template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezie
   return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
 }
 
-/// Makes the local curves of the segments of one curve, which must outlive it.
-template <class NT> class Local_curves {
- public:
-  explicit Local_curves(const Tabulated_bezier<NT>& curve) : curve_(curve) {
-    if constexpr (std::is_same_v<NT, double>)
-      if (curve.curve().degree() == 3 && !curve.curve().is_rational()) cubic_.emplace(curve.curve(), curve.unit());
-  }
+namespace internal {
 
-  [[nodiscard]] Local_curve operator()(double first, double last) const {
-    if (cubic_) return (*cubic_)(first, last);
-    return make_local_curve(curve_.template table<Double_double>(), first, last);
-  }
+/// Expands a curve about the middle of a segment; no kind where its degree has none.
+[[nodiscard]] Kept_local_curve kept_local_curve(const Taylor_table<Double_double>& table, double first, double last);
+/// Expands the curve of a table.
+template <class NT>
+[[nodiscard]] Kept_local_curve kept_local_curve_of(const Tabulated_bezier<NT>& curve, double first, double last) {
+  return kept_local_curve(curve.template table<Double_double>(), first, last);
+}
+template <> Kept_local_curve kept_local_curve_of(const Tabulated_bezier<double>& curve, double first, double last);
 
- private:
-  const Tabulated_bezier<NT>& curve_;
-  std::optional<Cubic_local_curves> cubic_;
-};
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 
