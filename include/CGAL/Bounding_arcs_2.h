@@ -28,10 +28,8 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/thin_stretches.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>

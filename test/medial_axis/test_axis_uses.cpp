@@ -12,8 +12,8 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>

@@ -9,7 +9,7 @@
 #include "closed_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/thin_stretches.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 
 #include <gtest/gtest.h>
 

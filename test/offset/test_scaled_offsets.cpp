@@ -15,7 +15,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>

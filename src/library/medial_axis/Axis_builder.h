@@ -8,12 +8,12 @@
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_BUILDER_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include "Axis_editor.h"
 #include "Axis_parts.h"
 #include "Axis_path.h"
 #include "Bounding_parts.h"
 #include "Branch_finder.h"
-#include "edit_axis.h"
 #include "order_by_place.h"
 #include "start_axis_parts.h"
 
@@ -52,36 +52,33 @@ class Axis_graph {
     else edges_.push_back(std::move(edge));
   }
 
-  void write(Medial_axis_2& axis) {
-    for (Medial_edge& e : edges_) e.from = root(e.from), e.to = root(e.to);
-    join_at_cuts();
-    std::vector<std::size_t> vertex(joined_.size(), NONE);
-    const auto vertex_of = [&](std::size_t node) {
-      if (vertex[node] == NONE) {
-        vertex[node] = axis.vertices.size();
-        axis.vertices.push_back({parts_.nodes[node].center, parts_.nodes[node].radius, {}, {}});
-      }
-      return vertex[node];
-    };
+  /// Adds vertices and edges to an axis.
+  void write(Medial_axis_2& axis) && {
+    const std::size_t count = joined_.size();
+    std::vector<bool> is_cut(count, true);
+    for (const Axis_node& node : parts_.nodes) axis.vertices.push_back({node.center, node.radius, {}, {}});
+    for (std::size_t i = 0; i < count; ++i) {
+      add_touches(parts_.nodes[i], axis.vertices[root(i)]);
+      if (parts_.nodes[i].kind != Axis_node_kind::CUT) is_cut[root(i)] = false;
+    }
     for (Medial_edge& e : edges_) {
-      e.from = vertex_of(e.from), e.to = vertex_of(e.to);
+      e.from = root(e.from), e.to = root(e.to);
       for (const bool is_last : {false, true}) {  // one point, whichever disc of a group the vertex took
         const Medial_vertex& v = axis.vertices[is_last ? e.to : e.from];
         Medial_sample& s = is_last ? e.samples.back() : e.samples.front();
         s.center = v.center, s.radius = v.radius;
       }
-      axis.edges.push_back(std::move(e));
     }
-    for (std::size_t i = 0; i < joined_.size(); ++i) {
-      const std::size_t node = root(i);
-      if (parts_.nodes[i].kind == Axis_node_kind::CUT && vertex[node] == NONE) continue;
-      add_touches(parts_.nodes[i], axis.vertices[vertex_of(node)]);
+    axis.edges = std::move(edges_);
+    Axis_editor editor(std::move(axis));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (is_cut[i]) editor.pass(i);  // no vertex, unless one edge comes back to it
+      if (root(i) != i || (is_cut[i] && editor.degree(i) == 0)) editor.remove_vertex(i);
     }
+    axis = std::move(editor).edited();
   }
 
  private:
-  static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
-
   [[nodiscard]] std::size_t root(std::size_t i) const {
     while (joined_[i] != i) i = joined_[i];
     return i;
@@ -106,32 +103,6 @@ class Axis_graph {
       });
     };
     return touches(a, b) && touches(b, a);
-  }
-
-  // A cut with two edges is no vertex, unless they are one edge that comes back to it.
-  void join_at_cuts() {
-    const std::size_t count = joined_.size();
-    std::vector<bool> is_cut(count, true);
-    for (std::size_t i = 0; i < count; ++i)
-      if (parts_.nodes[i].kind != Axis_node_kind::CUT) is_cut[root(i)] = false;
-    std::vector<std::vector<std::size_t>> at(count);  // the edges of each node
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      at[edges_[i].from].push_back(i);
-      at[edges_[i].to].push_back(i);
-    }
-    std::vector<bool> is_left(edges_.size(), true);
-    for (std::size_t node = 0; node < count; ++node) {
-      if (root(node) != node || !is_cut[node] || at[node].size() != 2 || at[node][0] == at[node][1]) continue;
-      const std::size_t first = (std::min)(at[node][0], at[node][1]), second = (std::max)(at[node][0], at[node][1]);
-      join_edges(node, edges_[first], edges_[second]);
-      is_left[second] = false;
-      std::vector<std::size_t>& beyond = at[edges_[first].to];
-      std::replace(beyond.begin(), beyond.end(), second, first);
-    }
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-      if (is_left[i] && left++ != i) edges_[left - 1] = std::move(edges_[i]);
-    edges_.resize(left);
   }
 
   void add_touches(const Axis_node& node, Medial_vertex& vertex) const {
@@ -166,7 +137,7 @@ class Axis_builder {
     split_all();
     Axis_graph graph(parts_);
     add_paths(graph);
-    graph.write(axis);
+    std::move(graph).write(axis);
     if (!unresolved_.empty()) axis.status = Medial_axis_status::UNRESOLVED;
     axis.unresolved = std::move(unresolved_);
     return axis;
@@ -237,7 +208,7 @@ class Axis_builder {
   // A part with a vertex becomes as many as that has arcs: the number of the part is kept by the last one.
   void split(std::uint32_t part, const Axis_branch& branch) {
     const auto node = static_cast<std::uint32_t>(parts_.nodes.size());
-    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.center, branch.radius, branch.feet});
+    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.disc.center, branch.disc.radius, branch.feet});
     const Axis_part all = parts_.parts[part];
     const std::size_t n = all.arcs.size(), count = branch.arcs.size();
     std::vector<std::uint32_t> behind;

@@ -13,8 +13,6 @@
 
 #include "Axis_boundary.h"
 #include "Disc_search.h"
-#include "fitted_disc.h"
-#include "make_axis_boundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +98,6 @@ class Leaf_finder {
     std::vector<End> ends;
     for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
       const Boundary_element& e = boundary_.element(i);
-      const std::uint32_t next = boundary_.after(i);
       if (e.is_corner) {
         ends.push_back({{i, e.first}, -INFINITE, 0});
         continue;
@@ -110,8 +107,7 @@ class Leaf_finder {
         ends.push_back(end_at({i, u}));
         if (std::isfinite(ends.back().value)) ends.back().error += bend;
       }
-      if (!boundary_.element(next).is_corner && is_convex_corner(i, next))
-        ends.push_back({{i, e.last}, INFINITE, 0, true, next});
+      if (e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i)});
     }
     return ends;
   }
@@ -122,19 +118,12 @@ class Leaf_finder {
     const Xy<double> chord = p.last.point - p.first.point;
     return 8 * boundary_.resolution() / dot(chord, chord);
   }
-  [[nodiscard]] bool is_convex_corner(std::uint32_t i, std::uint32_t next) const {
-    const Boundary_element &e = boundary_.element(i), &f = boundary_.element(next);
-    const Directed_piece p{boundary_.curves().piece(e.segment), e.is_reversed},
-        q{boundary_.curves().piece(f.segment), f.is_reversed};
-    return turn_of(p, q) > LEAST_TURN;
-  }
-
   // The disc that has the curvature of all ends from one to another, and touches all that is between them: a circle's
   // points tell its center better than its curvature does.
   [[nodiscard]] Axis_leaf osculating(const End& best, const End& from, const End& to) const {
     const Boundary_jet jet = boundary_(best.place);
     const double r = std::isfinite(best.value) ? 1 / best.value : 0;
-    Fitted_disc disc{jet.point + r * jet.normal(), r};
+    Touching_disc disc{jet.point + r * jet.normal(), r};
     constexpr double GOOD = 0x1p-4;  // of the resolution: of points next to each other there is no better disc
     if (r > 0 && r < boundary_.largest_radius())
       disc = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
@@ -196,7 +185,7 @@ class Leaf_finder {
   template <bool IS_FORWARD> [[nodiscard]] bool falls_on(std::uint32_t e) const {
     const std::uint32_t next = IS_FORWARD ? boundary_.after(e) : boundary_.before(e);
     if (boundary_.element(e).is_corner || boundary_.element(next).is_corner) return false;
-    if (IS_FORWARD ? is_convex_corner(e, next) : is_convex_corner(next, e)) return false;
+    if (boundary_.element(IS_FORWARD ? e : next).is_before_tip()) return false;
     const auto end = [&](std::uint32_t i, bool is_far) {
       const Boundary_element& element = boundary_.element(i);
       return end_at({i, is_far == IS_FORWARD ? element.last : element.first});

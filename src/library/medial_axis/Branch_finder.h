@@ -12,7 +12,6 @@
 
 #include "../query/Closest_search.h"
 #include "Axis_parts.h"
-#include "fitted_disc.h"
 
 #include <algorithm>
 #include <array>
@@ -31,11 +30,11 @@ namespace CGAL::Bounding_arcs::internal {
 // They are one vertex: the arcs near a first disc are collected, a disc is fitted to what is nearest of them, and arcs
 // that it misses are left out until it touches all the rest.
 
-/// A disc with the arcs that it touches, positions in the part, rising.
-struct Touched_disc {
-  Fitted_disc disc;
-  std::vector<std::uint32_t> arcs;
+/// A disc with the arcs that it touches.
+struct Axis_branch {
+  std::vector<std::uint32_t> arcs;  ///< positions in the part, rising
   std::vector<Boundary_place> feet;
+  Touching_disc disc;
 };
 
 class Touch_finder {
@@ -44,11 +43,11 @@ class Touch_finder {
 
   /// \param near a disc that touches three arcs, as far as is known of them
   /// \return nothing where it touches no more than three, or none touches them
-  [[nodiscard]] std::optional<Touched_disc> find(const Fitted_disc& near) const {
+  [[nodiscard]] std::optional<Axis_branch> find(const Touching_disc& near) const {
     constexpr double CLOSE = 0x1p-32;  // of the size: what three close feet may make of rounding
     constexpr int MOST_ROUNDS = 8;
     std::vector<Touch> touches = touches_of(near, CLOSE * boundary_.size());
-    Fitted_disc disc = near;
+    Touching_disc disc = near;
     for (int round = 0; round < MOST_ROUNDS && touches.size() > 3; ++round) {
       std::vector<Xy<double>> points;
       for (const Touch& t : touches) points.push_back(t.point);
@@ -73,19 +72,19 @@ class Touch_finder {
   };
 
   // Once more with the disc as it is now, whose feet are not quite the same.
-  [[nodiscard]] std::optional<Touched_disc> touched(const Fitted_disc& disc, double room) const {
+  [[nodiscard]] std::optional<Axis_branch> touched(const Touching_disc& disc, double room) const {
     Closest_search search(boundary_.curves(), disc.center, disc.radius - 2 * room);
     search.search();
     if (search.result()) return std::nullopt;
     std::vector<Touch> touches = touches_of(disc, 2 * room);
     if (touches.size() < 4) return std::nullopt;
-    Touched_disc result{disc, {}, {}};
+    Axis_branch result{{}, {}, disc};
     for (const Touch& t : touches) result.arcs.push_back(t.position), result.feet.push_back(t.place);
     return result;
   }
 
   // The places next to the disc, one of each arc that is no farther away, by the positions of arcs.
-  [[nodiscard]] std::vector<Touch> touches_of(const Fitted_disc& disc, double room) const {
+  [[nodiscard]] std::vector<Touch> touches_of(const Touching_disc& disc, double room) const {
     std::vector<Touch> all;
     const double most = (disc.radius + room) * (disc.radius + room);
     const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
@@ -102,17 +101,11 @@ class Touch_finder {
     all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     return all;
   }
-  void look_at(std::uint32_t segment, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
+  void look_at(std::uint32_t segment, const Touching_disc& disc, double room, std::vector<Touch>& all) const {
     if (distance_bounds(disc.center, boundary_.curves().region(segment)).lower > disc.radius + room) return;
-    for (const std::uint32_t e : boundary_.sides(segment).of) {
-      if (e == Axis_boundary::NONE) continue;
-      look_at_element(e, disc, room, all);
-      if (boundary_.element(e).is_corner) continue;  // a point
-      for (const std::uint32_t corner : {boundary_.before(e), boundary_.after(e)})
-        if (boundary_.element(corner).is_corner) look_at_element(corner, disc, room, all);
-    }
+    boundary_.for_each_element_of(segment, [&](std::uint32_t e) { look_at_element(e, disc, room, all); });
   }
-  void look_at_element(std::uint32_t e, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
+  void look_at_element(std::uint32_t e, const Touching_disc& disc, double room, std::vector<Touch>& all) const {
     const Axis_parts::Others ranges{parts_, part_, Axis_parts::NONE};
     ranges.for_each(e, [&](double u0, double u1) {
       const std::optional<Boundary_place> p = foot(e, u0, u1, disc, room);
@@ -126,36 +119,24 @@ class Touch_finder {
       if (arc != Axis_parts::NONE) all.push_back({parts_.arcs[arc].position, *p, jet.point, gap});
     });
   }
-  [[nodiscard]] std::optional<Boundary_place> foot(std::uint32_t e, double u0, double u1, const Fitted_disc& disc,
+  [[nodiscard]] std::optional<Boundary_place> foot(std::uint32_t e, double u0, double u1, const Touching_disc& disc,
                                                    double room) const {
     const Boundary_element& element = boundary_.element(e);
     const Segment_hierarchy& curves = boundary_.curves();
     if (element.is_corner)
       return Boundary_place{e, std::clamp(boundary_.angle_of(e, disc.center - element.point), u0, u1)};
-    const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
-    if (!(t0 < t1)) return Boundary_place{e, u0};
-    const Spiral_piece_2 all = curves.piece(element.segment);
-    const auto sample = [&](double t) {
-      return t == all.first.t ? all.first : (t == all.last.t ? all.last : curves.sample(element.segment, t));
-    };
-    const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
+    if (!(u0 < u1)) return Boundary_place{e, u0};
+    const Spiral_piece_2 piece = boundary_.piece(e, u0, u1);
     Closest_search search(curves, disc.center, disc.radius + 2 * room);
     search.look_at(piece, curves.region(piece));
     const auto found = search.result();
     if (!found) return std::nullopt;
-    return boundary_.place(e, std::clamp(found->place.t, t0, t1));
+    return boundary_.place(e, std::clamp(found->place.t, piece.first.t, piece.last.t));
   }
 
   const Axis_parts& parts_;
   const Axis_boundary& boundary_;
   std::uint32_t part_;
-};
-
-struct Axis_branch {
-  std::vector<std::uint32_t> arcs;  ///< positions in the part, rising
-  std::vector<Boundary_place> feet;
-  Xy<double> center;
-  double radius;
 };
 
 class Branch_finder {
@@ -173,13 +154,16 @@ class Branch_finder {
     const Boundary_arc& arc = parts_.arcs[part.arcs[own_]];
     const std::uint32_t after = (own_ + 1) % n, before = (own_ + n - 1) % n;
     double low = 0, high = parts_.length(arc);
-    Side from{before, parts_.arcs[part.arcs[before]].to, parts_.nodes[part.nodes[before]]},
-        to{after, parts_.arcs[part.arcs[after]].from, parts_.nodes[part.nodes[own_]]};
+    const auto disc = [&](std::uint32_t node) {
+      return Touching_disc{parts_.nodes[node].center, parts_.nodes[node].radius};
+    };
+    Side from{before, parts_.arcs[part.arcs[before]].to, disc(part.nodes[before])},
+        to{after, parts_.arcs[part.arcs[after]].from, disc(part.nodes[own_])};
     constexpr int MOST_STEPS = 120;  // elements, then bits of a parameter
     for (int step = 0; step < MOST_STEPS; ++step) {
       const double middle = low + (high - low) / 2;
       const Boundary_place p = place(arc, middle);
-      if (const auto branch = newton(p, from, to, 0.5)) return branch;
+      if (const auto branch = newton(p, from, to)) return branch;
       if (!(low < middle && middle < high)) break;
       const Boundary_jet jet = boundary_(p);
       const Axis_parts::Others others{parts_, part_, part.arcs[own_]};
@@ -190,7 +174,7 @@ class Branch_finder {
       const std::uint32_t found =
           search.is_found() ? parts_.arc_of(part_, part.arcs[own_], search.place()) : Axis_parts::NONE;
       if (found == Axis_parts::NONE) return std::nullopt;
-      const Side side{parts_.arcs[found].position, search.place(), search.center(), search.radius()};
+      const Side side{parts_.arcs[found].position, search.place(), {search.center(), search.radius()}};
       // any of the jumps would do; one between both halves of the part leaves less to be cut again
       if ((side.position + n - own_) % n <= n / 2) high = middle, to = side;
       else low = middle, from = side;
@@ -203,12 +187,7 @@ class Branch_finder {
   struct Side {
     std::uint32_t position;
     Boundary_place foot;
-    Xy<double> center;
-    double radius;
-    Side(std::uint32_t i, const Boundary_place& p, const Axis_node& node)
-        : position(i), foot(p), center(node.center), radius(node.radius) {}
-    Side(std::uint32_t i, const Boundary_place& p, const Xy<double>& c, double r)
-        : position(i), foot(p), center(c), radius(r) {}
+    Touching_disc disc;
   };
 
   // The arc that runs through most elements, or of those with one the longest.
@@ -268,22 +247,21 @@ class Branch_finder {
     return true;
   }
 
-  [[nodiscard]] std::optional<Axis_branch> newton(const Boundary_place& p, const Side& from, const Side& to,
-                                                  double share) const {
+  [[nodiscard]] std::optional<Axis_branch> newton(const Boundary_place& p, const Side& from, const Side& to) const {
     const Axis_part& part = parts_.parts[part_];
     const auto arc = [&](std::uint32_t i) { return &parts_.arcs[part.arcs[i]]; };
     std::array<Foot_of_disc, 3> feet{
         Foot_of_disc{arc(own_), p}, {arc(to.position), to.foot}, {arc(from.position), from.foot}};
-    Xy<double> center = share * from.center + (1 - share) * to.center;
-    double radius = share * from.radius + (1 - share) * to.radius, last = HUGE_VAL;
+    Touching_disc disc{0.5 * (from.disc.center + to.disc.center), 0.5 * (from.disc.radius + to.disc.radius)};
+    double last = HUGE_VAL;
     constexpr int MOST_STEPS = 24;
     for (int step = 0; step < MOST_STEPS; ++step) {
       Xy<double> direction[3], points[3], ways[3];
       double distance[3];
       for (std::size_t i = 0; i < 3; ++i) {
-        if (!step_to(center, feet[i]) || !step_to(center, feet[i])) return std::nullopt;
+        if (!step_to(disc.center, feet[i]) || !step_to(disc.center, feet[i])) return std::nullopt;
         const Boundary_jet jet = boundary_(feet[i].place);
-        const Xy<double> way = center - jet.point;
+        const Xy<double> way = disc.center - jet.point;
         const double d = euclidean_norm(way), side = dot(way, jet.normal());
         if (!(side > 0)) return std::nullopt;
         direction[i] = (1 / d) * way;
@@ -307,18 +285,18 @@ class Branch_finder {
       if (!(size <= most_)) return std::nullopt;
       const bool is_settled =
           size <= 4 * HALF_ULP * boundary_.size() || (size >= last && last <= boundary_.resolution());
-      center = center + change;
-      radius = distance[0] + dot(direction[0], change);
+      disc = {disc.center + change, distance[0] + dot(direction[0], change)};
       last = size;
       if (is_settled || (step + 1 == MOST_STEPS && size <= boundary_.resolution()))
-        return checked(feet, center, radius, from, to);
+        return checked(feet, disc, from, to);
     }
     return std::nullopt;
   }
 
   // Whether the disc is one of the part's: its feet on the arcs, and nothing in it.
-  [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Xy<double>& center,
-                                                   double radius, const Side& from, const Side& to) const {
+  [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Touching_disc& disc,
+                                                   const Side& from, const Side& to) const {
+    const auto& [center, radius] = disc;
     const double room = 8 * boundary_.resolution() + 0x1p-44 * radius;
     if (!(radius > room)) return std::nullopt;  // a point where curves meet, which several arcs come to
     for (Foot_of_disc& foot : feet) {
@@ -336,8 +314,8 @@ class Branch_finder {
     Closest_search search(boundary_.curves(), center, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
-    if (auto joined = joined_at(center, radius)) return joined;
-    return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, center, radius);
+    if (auto joined = joined_at(disc)) return joined;
+    return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, disc);
   }
 
   // Whether a disc touches both sides of a sharp tip there, from outside: within, it would be smaller than its distance
@@ -371,27 +349,24 @@ class Branch_finder {
   [[nodiscard]] std::optional<Axis_branch> collapsed(const Boundary_place& p, const Side& from, const Side& to) const {
     constexpr double ROOM = 64;  // times the resolution
     for (const Side* side : {&to, &from})
-      if (auto joined = joined_at(side->center, side->radius)) return joined;
+      if (auto joined = joined_at(side->disc)) return joined;
     for (const Side* side : {&to, &from}) {
       const Side& other = side == &to ? from : to;
-      const double d = euclidean_norm(boundary_(other.foot).point - side->center);
-      if (std::fabs(d - side->radius) <= ROOM * boundary_.resolution())
-        return in_order({own_, to.position, from.position}, {p, to.foot, from.foot}, side->center, side->radius);
+      const double d = euclidean_norm(boundary_(other.foot).point - side->disc.center);
+      if (std::fabs(d - side->disc.radius) <= ROOM * boundary_.resolution())
+        return in_order({own_, to.position, from.position}, {p, to.foot, from.foot}, side->disc);
     }
     return std::nullopt;
   }
   // The vertex of more than three arcs about a disc.
-  [[nodiscard]] std::optional<Axis_branch> joined_at(const Xy<double>& center, double radius) const {
-    if (!is_joining_) return std::nullopt;
-    auto found = Touch_finder(parts_, part_).find({center, radius});
-    if (!found) return std::nullopt;
-    return Axis_branch{std::move(found->arcs), std::move(found->feet), found->disc.center, found->disc.radius};
+  [[nodiscard]] std::optional<Axis_branch> joined_at(const Touching_disc& disc) const {
+    return is_joining_ ? Touch_finder(parts_, part_).find(disc) : std::nullopt;
   }
   [[nodiscard]] static Axis_branch in_order(std::array<std::uint32_t, 3> arcs, std::array<Boundary_place, 3> feet,
-                                            const Xy<double>& center, double radius) {
+                                            const Touching_disc& disc) {
     for (const std::size_t i : {0U, 1U, 0U})
       if (arcs[i] > arcs[i + 1]) std::swap(arcs[i], arcs[i + 1]), std::swap(feet[i], feet[i + 1]);
-    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, center, radius};
+    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, disc};
   }
 
   const Axis_parts& parts_;

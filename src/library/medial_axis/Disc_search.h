@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -48,21 +49,13 @@ template <class Ranges> class Disc_search {
     const auto near = [&] {
       return is_near = is_near || distance_bounds(center_, curves_.region(segment)).lower < inner(segment);
     };
-    for (const std::uint32_t e : boundary_.sides(segment).of) {
-      if (e == Axis_boundary::NONE) continue;
-      if (boundary_.element(e).is_corner) {  // a point
-        ranges_.for_each(e, [&](double u0, double u1) { look_at_corner(e, u0, u1); });
-        continue;
-      }
+    boundary_.for_each_element_of(segment, [&](std::uint32_t e) {
       ranges_.for_each(e, [&](double u0, double u1) {
-        if (near()) look_at(e, u0, u1);
+        if (!near()) return;
+        if (boundary_.element(e).is_corner) look_at_corner(e, u0, u1);
+        else look_at(e, u0, u1);
       });
-      for (const std::uint32_t corner : {boundary_.before(e), boundary_.after(e)})
-        if (boundary_.element(corner).is_corner)
-          ranges_.for_each(corner, [&](double u0, double u1) {
-            if (near()) look_at_corner(corner, u0, u1);
-          });
-    }
+    });
   }
   /// Looks at one part of an element: where few count, one after the other, then `finish`.
   void look_at_part(std::uint32_t e, double u0, double u1) {
@@ -120,17 +113,9 @@ template <class Ranges> class Disc_search {
     const Boundary_element& element = boundary_.element(e);
     if (u0 == element.first && u1 == element.last)
       return refine(e, curves_.piece(element.segment), curves_.region(element.segment));
-    const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
-    const Spiral_piece_2 all = curves_.piece(element.segment);
-    const auto sample = [&](double t) {
-      return t == all.first.t ? all.first : (t == all.last.t ? all.last : curves_.sample(element.segment, t));
-    };
-    if (!(t0 < t1)) {
-      offer_sample(e, sample(t0));
-      return;
-    }
-    const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
-    refine(e, piece, curves_.region(piece));
+    const Spiral_piece_2 piece = boundary_.piece(e, u0, u1);
+    if (u0 < u1) refine(e, piece, curves_.region(piece));
+    else offer_sample(e, piece.first);
   }
   void look_at_corner(std::uint32_t e, double u0, double u1) {
     if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
@@ -215,6 +200,60 @@ template <class Ranges> class Disc_search {
   int halved_ = 0;
   bool is_found_ = false;
 };
+
+// The disc that touches many points at once, as far as one does.
+//
+// Where discs differ by rounding only, any three of their touches make another disc. Where touches are close to each
+// other, the center errs by the rounding over the square of their angle.  All touches together tell the disc better:
+// least squares of |center - point| - radius, by Gauss and Newton.
+
+/// The length by which a disc misses the worst of some points.
+[[nodiscard]] inline double most_gap(const Touching_disc& disc, const std::vector<Xy<double>>& points) {
+  double most = 0;
+  for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(disc.center - p) - disc.radius));
+  return most;
+}
+
+/// \param good a disc that misses no point by more is kept as it is
+/// \return the disc that was given where none is better
+[[nodiscard]] inline Touching_disc fitted(const Touching_disc& disc, const std::vector<Xy<double>>& points,
+                                          double good) {
+  constexpr int MOST_STEPS = 4;
+  Touching_disc best = disc;
+  double gap = most_gap(disc, points);
+  const double count = static_cast<double>(points.size());
+  for (int step = 0; step < MOST_STEPS && gap > good; ++step) {
+    std::vector<Xy<double>> direction;
+    std::vector<double> distance;
+    Xy<double> mean{0, 0};
+    double mean_distance = 0;
+    for (const Xy<double>& p : points) {
+      const Xy<double> way = best.center - p;
+      distance.push_back(euclidean_norm(way));
+      if (!(distance.back() > 0)) return best;
+      direction.push_back((1 / distance.back()) * way);
+      mean = mean + (1 / count) * direction.back();
+      mean_distance += (distance.back() - best.radius) / count;
+    }
+    // without the radius, which is the mean distance: direction.change = -distance, both less their means
+    double xx = 0, xy = 0, yy = 0;
+    Xy<double> right{0, 0};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Xy<double> d = direction[i] - mean;
+      const double f = distance[i] - best.radius - mean_distance;
+      xx += d.x * d.x, xy += d.x * d.y, yy += d.y * d.y;
+      right = right - f * d;
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0)) return best;
+    const Xy<double> change{(right.x * yy - right.y * xy) / determinant, (right.y * xx - right.x * xy) / determinant};
+    const Touching_disc next{best.center + change, best.radius + mean_distance + dot(mean, change)};
+    const double next_gap = most_gap(next, points);
+    if (!(next_gap < gap)) return best;
+    best = next, gap = next_gap;
+  }
+  return best;
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

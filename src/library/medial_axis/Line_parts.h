@@ -55,19 +55,20 @@ class Foot_runs {
   /// \param least lengths below are nothing
   /// \param room ends that are no farther apart may be one joint, where feet have no segment in common otherwise
   explicit Foot_runs(const Bounding_parts& parts, double least, double room = 0)
-      : curves_(parts.segments), least_(least), room_((std::max)(least, room)), joint_(parts.joints) {
+      : curves_(parts.segments), least_(least), room_((std::max)(least, room)) {
     const std::size_t count = curves_.number_of_segments();
     first_.assign(curves_.number_of_beziers() + 1, 0);
     for (std::uint32_t i = 0; i < count; ++i)
       ++first_[curves_.number_of_bezier(curves_.place(i).curve, curves_.place(i).bezier) + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    const std::size_t ends = joint_.size();
-    first_at_.assign(ends + 1, 0);
-    for (const std::uint32_t j : joint_) ++first_at_[j + 1];
-    for (std::size_t j = 0; j < ends; ++j) first_at_[j + 1] += first_at_[j];
-    ends_.resize(ends);
-    std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
-    for (std::uint32_t e = 0; e < ends; ++e) ends_[next[joint_[e]]++] = e;
+    std::vector<std::uint32_t> last(parts.joints.size(), NONE);  // by joint
+    next_ = last;
+    for (std::uint32_t e = 0; e < next_.size(); ++e) {
+      std::uint32_t& before = last[parts.joints[e]];
+      if (before == NONE) next_[e] = e;
+      else next_[e] = std::exchange(next_[before], e);
+      before = e;
+    }
   }
 
   /// A place nearer to where a center is on the normal, of the same segment; ends of segments stay.  Distances hardly
@@ -97,6 +98,13 @@ class Foot_runs {
     return is_nothing ? point_run(a) : best;
   }
   [[nodiscard]] Xy<double> point(const Curve_place& p) const { return point_at(curves_, p); }
+  /// The first segment of a Bezier piece that does not end before a parameter, or the last one.
+  [[nodiscard]] std::optional<std::uint32_t> segment_at(std::uint32_t bezier, double t) const {
+    std::uint32_t s = first_[bezier];
+    if (s == first_[bezier + 1]) return std::nullopt;
+    while (s + 1 < first_[bezier + 1] && curves_.piece(s).last.t < t) ++s;
+    return s;
+  }
   /// Points of the boundary on the Bezier piece of a place: middles and ends of segments.
   [[nodiscard]] std::vector<Xy<double>> points_beside(const Curve_place& p) const {
     const std::uint32_t bezier = curves_.number_of_bezier(p.curve, p.bezier);
@@ -151,20 +159,14 @@ class Foot_runs {
     const bool has_own = !names.empty();
     for (const bool is_last : {false, true}) {
       if (!(euclidean_norm((is_last ? piece.last : piece.first).point - at) <= room)) continue;
-      const std::uint32_t joint = joint_[2 * segment + is_last];
-      for (std::uint32_t i = first_at_[joint]; i < first_at_[joint + 1]; ++i) {
-        const std::uint32_t other = ends_[i] / 2;
+      std::uint32_t e = 2 * segment + is_last;
+      do {
+        const std::uint32_t other = e / 2;
         const Spiral_piece_2 end = curves_.piece(other);
-        if (!has_own || other != segment) names.push_back({other, ends_[i] % 2 == 1 ? end.last.t : end.first.t});
-      }
+        if (!has_own || other != segment) names.push_back({other, e % 2 == 1 ? end.last.t : end.first.t});
+        e = next_[e];
+      } while (e != 2 * segment + is_last);
     }
-  }
-  // The first one of a piece that does not end before a parameter, or the last one.
-  [[nodiscard]] std::optional<std::uint32_t> segment_at(std::uint32_t bezier, double t) const {
-    std::uint32_t s = first_[bezier];
-    if (s == first_[bezier + 1]) return std::nullopt;
-    while (s + 1 < first_[bezier + 1] && curves_.piece(s).last.t < t) ++s;
-    return s;
   }
   [[nodiscard]] Foot_run point_run(const Curve_place& p) const {
     Foot_run run;
@@ -174,9 +176,9 @@ class Foot_runs {
 
   const Segment_hierarchy& curves_;
   double least_, room_;
-  const std::vector<std::uint32_t>& joint_;     // by end
-  std::vector<std::uint32_t> first_;            // segments of each Bezier piece
-  std::vector<std::uint32_t> ends_, first_at_;  // ends by joint
+  static constexpr std::uint32_t NONE = Bounding_parts::NO_LABEL;
+  std::vector<std::uint32_t> first_;  // segments of each Bezier piece
+  std::vector<std::uint32_t> next_;   // by end, 2 segment + (1 at its last one): the next one in its joint
 };
 
 /// A part of the boundary in its direction: a fat arc, or a point, and samples at both ends.
@@ -244,10 +246,7 @@ class Line_parts {
     }
     return p;
   }
-  [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
-    const Spiral_piece_2 piece = curves_.piece(segment);
-    return t == piece.first.t ? piece.first : (t == piece.last.t ? piece.last : curves_.sample(segment, t));
-  }
+  [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const { return sample_at(curves_, segment, t); }
 
  private:
   const Segment_hierarchy& curves_;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_branches.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "Axis_editor.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -20,55 +21,30 @@ namespace CGAL::Bounding_arcs {
 
 namespace {
 
-[[nodiscard]] Medial_sample turned(Medial_sample s) {
-  std::swap(s.left, s.right);
-  return s;
-}
-// The place of a radius between two samples; its feet are those of the nearer one.
-[[nodiscard]] Medial_sample sample_of(double radius, const Medial_sample& s, const Medial_sample& t) {
-  const double share = (radius - s.radius) / (t.radius - s.radius);
-  const Medial_sample& nearer = share < 1 - share ? s : t;
-  return {s.center + share * (t.center - s.center), radius, nearer.left, nearer.right};
-}
-
-// A run of samples with no larger discs, from node to node: vertices of the axis, or places where discs get larger.
-struct Branch_run {
-  std::size_t from, to;
-  std::vector<Medial_sample> samples;
-  double length = 0;
-  bool is_in_forest = false;
-};
-
 class Branch_search {
  public:
-  Branch_search(const Medial_axis_2& axis, double largest) : nodes_(axis.vertices.size()) {
-    std::vector<std::size_t> edges(nodes_);
-    for (const Medial_edge& edge : axis.edges) {
-      ++edges[edge.from], ++edges[edge.to];
-      add(edge, largest);
-    }
-    for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
-      const Medial_vertex& v = axis.vertices[i];
-      if (edges[i] > 0 || v.radius > largest) continue;
-      Medial_sample disc{v.center, v.radius, {}, {}};
-      if (!v.touches.empty()) disc.left = v.touches.front(), disc.right = v.touches.back();
-      discs_.push_back({{disc}, 0, 0});
-    }
+  /// \param axis without what is not taken
+  explicit Branch_search(Medial_axis_2 axis)
+      : axis_(std::move(axis)), is_in_forest_(axis_.edges.size()), at_(axis_.vertices.size()) {
+    for (const Medial_edge& e : axis_.edges) lengths_.push_back(internal::length_of(e.samples));
   }
 
   [[nodiscard]] std::vector<Axis_branch> branches() {
     find_forest();
     std::vector<std::vector<Axis_branch>> parts;
-    std::vector<char> is_done(nodes_);
-    for (std::size_t i = 0; i < nodes_; ++i) {
-      if (is_done[i] != 0 || at_[i].empty()) continue;
+    std::vector<char> is_done(at_.size());
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      if (is_done[i] != 0) continue;
       parts.emplace_back();
+      if (at_[i].empty()) {
+        parts.back().push_back({{internal::disc_of(axis_.vertices[i])}, 0, 0});
+        continue;
+      }
       const std::vector<Visit> all = visits(i);
       for (const Visit& v : all) is_done[v.node] = 1;
       add_ways(visits(farthest(all)), parts.back());
       std::stable_sort(parts.back().begin() + 1, parts.back().end(), is_longer);
     }
-    for (Axis_branch& disc : discs_) parts.push_back({std::move(disc)});
     std::stable_sort(parts.begin(), parts.end(),
                      [](const auto& a, const auto& b) { return is_longer(a.front(), b.front()); });
     std::vector<Axis_branch> result;
@@ -81,56 +57,29 @@ class Branch_search {
   }
 
  private:
-  // A node of a tree of the forest, as a walk from its root comes to it.
+  // A vertex in a tree of the forest, as a walk from its root comes to it.
   struct Visit {
-    std::size_t node, run;  // by which run; NONE for the root
-    std::size_t before;     // the visit that it comes from
-    double distance;        // from the root
+    std::size_t node, edge;  // by which edge; NONE for the root
+    std::size_t before;      // the visit that it comes from
+    double distance;         // from the root
   };
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
   static bool is_longer(const Axis_branch& a, const Axis_branch& b) { return a.length > b.length; }
 
-  void add(const Medial_edge& edge, double largest) {
-    Branch_run run{edge.from, edge.to, {}};
-    const auto finish = [&](std::size_t to) {
-      run.to = to;
-      for (std::size_t i = 1; i < run.samples.size(); ++i)
-        run.length += euclidean_norm(run.samples[i].center - run.samples[i - 1].center);
-      if (run.samples.size() > 1) runs_.push_back(run);
-      run = {0, 0, {}};
-    };
-    for (std::size_t i = 0; i < edge.samples.size(); ++i) {
-      const Medial_sample& s = edge.samples[i];
-      const Medial_sample* const last = i > 0 ? &edge.samples[i - 1] : nullptr;
-      if (s.radius <= largest) {
-        if (last != nullptr && run.samples.empty()) {
-          run.from = nodes_++;
-          run.samples.push_back(sample_of(largest, *last, s));
-        }
-        run.samples.push_back(s);
-      } else if (!run.samples.empty()) {
-        run.samples.push_back(sample_of(largest, *last, s));
-        finish(nodes_++);
-      }
-    }
-    if (!run.samples.empty()) finish(edge.to);
-  }
-
   void find_forest() {
-    std::vector<std::size_t> order(runs_.size());
+    std::vector<std::size_t> order(lengths_.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return runs_[a].length > runs_[b].length; });
-    boost::disjoint_sets_with_storage<> trees(nodes_);
-    at_.resize(nodes_);
+                     [&](std::size_t a, std::size_t b) { return lengths_[a] > lengths_[b]; });
+    boost::disjoint_sets_with_storage<> trees(at_.size());
     for (const std::size_t i : order) {
-      Branch_run& run = runs_[i];
-      const std::size_t a = trees.find_set(run.from), b = trees.find_set(run.to);
-      run.is_in_forest = a != b;
-      if (run.is_in_forest) trees.link(a, b);
-      at_[run.from].push_back(i);
-      if (run.to != run.from) at_[run.to].push_back(i);
+      const Medial_edge& e = axis_.edges[i];
+      const std::size_t a = trees.find_set(e.from), b = trees.find_set(e.to);
+      is_in_forest_[i] = a != b;
+      if (a != b) trees.link(a, b);
+      at_[e.from].push_back(i);
+      if (e.to != e.from) at_[e.to].push_back(i);
     }
   }
 
@@ -138,10 +87,10 @@ class Branch_search {
     std::vector<Visit> result{{root, NONE, NONE, 0}};
     for (std::size_t i = 0; i < result.size(); ++i) {
       const Visit from = result[i];
-      for (const std::size_t r : at_[from.node]) {
-        const Branch_run& run = runs_[r];
-        if (!run.is_in_forest || r == from.run) continue;
-        result.push_back({run.from == from.node ? run.to : run.from, r, i, from.distance + run.length});
+      for (const std::size_t k : at_[from.node]) {
+        const Medial_edge& e = axis_.edges[k];
+        if (!is_in_forest_[k] || k == from.edge) continue;
+        result.push_back({e.from == from.node ? e.to : e.from, k, i, from.distance + lengths_[k]});
       }
     }
     return result;
@@ -159,7 +108,7 @@ class Branch_search {
     std::vector<std::size_t> next(tree.size(), NONE);
     for (std::size_t i = tree.size(); i-- > 1;) {
       const std::size_t before = tree[i].before;
-      const double way = beyond[i] + runs_[tree[i].run].length;
+      const double way = beyond[i] + lengths_[tree[i].edge];
       if (next[before] == NONE || way >= beyond[before]) {
         beyond[before] = way;
         next[before] = i;
@@ -173,33 +122,29 @@ class Branch_search {
       if (!way.samples.empty()) ways.push_back(std::move(way));
     }
     for (const Visit& visit : tree)
-      for (const std::size_t r : at_[visit.node]) {
-        const Branch_run& run = runs_[r];
-        if (!run.is_in_forest && run.from == visit.node) ways.push_back({run.samples, run.length, 0});
+      for (const std::size_t k : at_[visit.node]) {
+        const Medial_edge& e = axis_.edges[k];
+        if (!is_in_forest_[k] && e.from == visit.node) ways.push_back({e.samples, lengths_[k], 0});
       }
   }
   void follow(Axis_branch& way, const Visit& visit, std::size_t from) const {
-    const Branch_run& run = runs_[visit.run];
-    std::vector<Medial_sample> samples = run.samples;
-    if (run.from != from) {
-      std::reverse(samples.begin(), samples.end());
-      for (Medial_sample& s : samples) s = turned(s);
-    }
+    std::vector<Medial_sample> samples = axis_.edges[visit.edge].samples;
+    if (axis_.edges[visit.edge].from != from) internal::reverse(samples);
     way.samples.insert(way.samples.end(), samples.begin() + (way.samples.empty() ? 0 : 1), samples.end());
-    way.length += run.length;
+    way.length += lengths_[visit.edge];
   }
 
-  std::size_t nodes_;
-  std::vector<Branch_run> runs_;
-  std::vector<Axis_branch> discs_;
-  std::vector<std::vector<std::size_t>> at_;  // the runs at each node
+  Medial_axis_2 axis_;
+  std::vector<double> lengths_;  // of edges
+  std::vector<bool> is_in_forest_;
+  std::vector<std::vector<std::size_t>> at_;  // the edges at each vertex
 };
 
 }  // namespace
 
 std::vector<Axis_branch> axis_branches(const Medial_axis_2& axis, double largest) {
   if (!(largest > 0)) throw std::invalid_argument(expected("largest", "a radius above 0", largest));
-  return Branch_search(axis, largest).branches();
+  return Branch_search(internal::with_discs_up_to(largest, largest, axis)).branches();
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,7 +8,6 @@
 
 #include "../boolean/Region_loops.h"
 #include "../overlay/Overlay.h"
-#include "Close_walls.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include "../query/Winding_search.h"
@@ -178,49 +177,15 @@ class Parted_segments {
   double moved_ = 0;
 };
 
-/// Curves without pieces that are points, which the overlay does not take in longer curves.
-struct Curves_of_length {
-  Segment_hierarchy curves;
-  std::vector<std::uint32_t> segments;  ///< the given one of each
-};
-template <class NT, class Piece>
-[[nodiscard]] Drawing_2<NT> drawing_of_length(const Segment_hierarchy& curves, const std::vector<char>& is_left_out,
-                                              const Piece& piece) {
-  Drawing_2<NT> drawing;
+/// Bezier pieces but those that are points, which the overlay does not take in longer curves.
+[[nodiscard]] std::vector<std::uint32_t> pieces_of_length(const Segment_hierarchy& curves) {
+  std::vector<std::uint32_t> kept;
   std::uint32_t bezier = 0;
-  for (const auto& curve : curves.drawing().curves()) {
-    std::vector<Bezier_curve_2<NT>> chain;
-    for (std::size_t i = 0; i < curve.beziers.size(); ++i, ++bezier)
-      if (is_left_out[bezier] == 0) chain.push_back(piece(bezier));
-    drawing.add(std::move(chain), curve.name);
-  }
-  return drawing;
-}
-/// \return nothing where there are no such pieces
-[[nodiscard]] std::optional<Curves_of_length> curves_of_length(const Segment_hierarchy& curves) {
-  std::vector<char> is_left_out;
-  for (const auto& curve : curves.drawing().curves()) {
-    std::size_t left = curve.beziers.size();
-    for (const auto& b : curve.beziers) {
-      const auto& p = b.control_points();
-      const bool is_point = std::all_of(p.begin(), p.end(), [&](const Xy<double>& q) { return q == p.front(); });
-      is_left_out.push_back(is_point && left > 1 ? 1 : 0);
-      if (is_left_out.back() != 0) --left;
-    }
-  }
-  if (std::find(is_left_out.begin(), is_left_out.end(), 1) == is_left_out.end()) return std::nullopt;
-  Curves_of_length result{
-      curves.is_rounded()
-          ? Segment_hierarchy(drawing_of_length<Exact_rational>(
-                                  curves, is_left_out, [&](std::uint32_t b) { return curves.exact_bezier(b); }),
-                              curves.decisions())
-          : Segment_hierarchy(std::make_shared<const Drawing_2<double>>(drawing_of_length<double>(
-                                  curves, is_left_out, [&](std::uint32_t b) { return curves.bezier(b); })),
-                              curves.decisions()),
-      {}};
-  for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s)
-    if (is_left_out[curves.bezier_of(s)] == 0) result.segments.push_back(s);
-  return result;
+  for (const auto& curve : curves.drawing().curves())
+    for (std::size_t left = curve.beziers.size(), i = left; i > 0; --i, ++bezier)
+      if (left == 1 || !curves.is_point(bezier)) kept.push_back(bezier);
+      else --left;
+  return kept;
 }
 
 /// Curves that bound nothing.
@@ -237,8 +202,10 @@ template <class NT, class Piece>
 }  // namespace
 
 Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options, double close) {
-  const std::optional<Curves_of_length> of_length = curves_of_length(curves);
-  const Overlay overlay(of_length ? of_length->curves : curves);
+  const std::vector<std::uint32_t> pieces = pieces_of_length(curves);
+  std::optional<Segment_hierarchy> of_length;
+  if (pieces.size() < curves.number_of_beziers()) of_length = curves.of_pieces(pieces);
+  const Overlay overlay(of_length ? *of_length : curves);
   if (overlay.open()) return {curves.parted({}), {}, {}, 0, overlay.open()->point};
   const std::vector<int> windings = windings_of_faces(overlay, options);
   const std::vector<Ring_of_sides> rings = bounding_rings(overlay, options, windings);
@@ -247,8 +214,12 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
     for (const Edge_side s : ring.sides) is_wanted[edge_of(s)] = 1;
   const Parted_segments parted(overlay, is_wanted);
   std::vector<Segment_part> parts = parted.parts();
-  if (of_length)
-    for (Segment_part& p : parts) p.piece.segment = of_length->segments[p.piece.segment];
+  if (of_length) {
+    std::vector<std::uint32_t> given;  // by segment of those with a length
+    for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i)
+      if (std::binary_search(pieces.begin(), pieces.end(), curves.bezier_of(i))) given.push_back(i);
+    for (Segment_part& p : parts) p.piece.segment = given[p.piece.segment];
+  }
   Bounding_parts result{curves.parted(parts), {}, {}, parted.moved(), {}};
   for (const Ring_of_sides& ring : rings) {
     Bounding_ring made{{}, ring.is_outer};

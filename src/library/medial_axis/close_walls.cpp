@@ -2,14 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of Close_walls.h.
-
-#include "Close_walls.h"
+// Bodies of Bounding_parts.h.
 
 #include "../overlay/Cut_curves.h"
 
 #include "../query/Closest_search.h"
 #include "../tree/Segment_hierarchy.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cmath>

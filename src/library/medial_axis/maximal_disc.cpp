@@ -12,7 +12,7 @@
 #include "../query/query_units.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Disc_search.h"
-#include "make_axis_boundary.h"
+#include "Line_parts.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -48,11 +48,12 @@ struct Maximal_discs_2::Boundary {
   const Bounding_arc_tree_2& curves;
   internal::Bounding_parts bounds;
   internal::Axis_boundary boundary;
+  internal::Foot_runs places;
 
   Boundary(const Bounding_arc_tree_2& tree, Fill_rule rule)
-      : curves(tree), bounds(internal::bounds_of_closed(tree, rule)), boundary(internal::axis_boundary(bounds)) {}
+      : curves(tree), bounds(internal::bounds_of_closed(tree, rule)), boundary(internal::axis_boundary(bounds)),
+        places(bounds, 0) {}
 
-  [[nodiscard]] std::optional<std::uint32_t> segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 };
 
@@ -65,30 +66,13 @@ std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place
     throw std::invalid_argument(
         expected("place", "one of the drawing",
                  "curve " + text_of(place.curve) + ", piece " + text_of(place.bezier) + ", t " + text_of(place.t)));
-  const std::optional<std::uint32_t> segment = boundary_->segment_of(place);
-  if (!segment) return std::nullopt;
+  const Segment_hierarchy& parts = boundary_->bounds.segments;
+  const auto segment = boundary_->places.segment_at(parts.number_of_bezier(place.curve, place.bezier), place.t);
+  if (!segment || place.t < parts.piece(*segment).first.t || place.t > parts.piece(*segment).last.t)
+    return std::nullopt;
   for (const std::uint32_t e : boundary_->boundary.sides(*segment).of)
     if (e != internal::Axis_boundary::NONE) return boundary_->at(boundary_->boundary.place(e, place.t));
   return std::nullopt;
-}
-
-std::optional<std::uint32_t> Maximal_discs_2::Boundary::segment_of(const Curve_place& place) const {
-  const Segment_hierarchy& parts = bounds.segments;
-  const auto count = static_cast<std::uint32_t>(parts.number_of_segments());
-  std::uint32_t low = 0, high = count;  // the first one that does not end before the place
-  while (low < high) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    const Segment_place p = parts.place(middle);
-    const bool is_before = p.curve != place.curve ? p.curve < place.curve
-                                                  : (p.bezier != place.bezier ? p.bezier < place.bezier
-                                                                              : parts.piece(middle).last.t < place.t);
-    if (is_before) low = middle + 1;
-    else high = middle;
-  }
-  if (low == count) return std::nullopt;
-  const Segment_place p = parts.place(low);
-  const bool has_place = p.curve == place.curve && p.bezier == place.bezier && parts.piece(low).first.t <= place.t;
-  return has_place ? std::optional(low) : std::nullopt;
 }
 
 Maximal_disc Maximal_discs_2::Boundary::at(const internal::Boundary_place& p) const {

@@ -9,7 +9,6 @@
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
@@ -18,9 +17,8 @@
 #include "../tree/Segment_hierarchy.h"
 #include "Axis_boundary.h"
 #include "Axis_builder.h"
+#include "Axis_editor.h"
 #include "Bounding_parts.h"
-#include "edit_axis.h"
-#include "make_axis_boundary.h"
 #include "order_by_place.h"
 
 #include <algorithm>
@@ -40,18 +38,23 @@ namespace {
 
 // Leaves wrong vertices and edges out, and tells where they were.
 void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>& is_wrong_edge, Medial_axis_2& axis) {
-  std::vector<bool> is_vertex_kept, is_edge_kept;
-  for (std::size_t i = 0; i < axis.edges.size(); ++i) {
-    const Medial_edge& e = axis.edges[i];
-    if (is_wrong_edge[i] != 0) axis.unresolved.push_back(e.samples[e.samples.size() / 2].center);
-    is_edge_kept.push_back(is_wrong_edge[i] == 0 && is_wrong_vertex[e.from] == 0 && is_wrong_vertex[e.to] == 0);
+  const auto is_any = [](const std::vector<char>& all) { return std::find(all.begin(), all.end(), 1) != all.end(); };
+  if (!is_any(is_wrong_vertex) && !is_any(is_wrong_edge)) return;
+  Axis_editor editor(std::move(axis));
+  std::vector<Xy<double>> places;
+  for (std::size_t i = 0; i < is_wrong_edge.size(); ++i) {
+    if (is_wrong_edge[i] == 0) continue;
+    const Medial_edge& e = editor.axis().edges[i];
+    places.push_back(e.samples[e.samples.size() / 2].center);
+    editor.remove_edge(i);
   }
-  for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
-    if (is_wrong_vertex[i] != 0) axis.unresolved.push_back(axis.vertices[i].center);
-    is_vertex_kept.push_back(is_wrong_vertex[i] == 0);
+  for (std::size_t i = 0; i < is_wrong_vertex.size(); ++i) {
+    if (is_wrong_vertex[i] == 0) continue;
+    places.push_back(editor.axis().vertices[i].center);
+    editor.remove_vertex(i);
   }
-  if (axis.unresolved.empty()) return;
-  keep(is_vertex_kept, is_edge_kept, axis);
+  axis = std::move(editor).edited();
+  axis.unresolved.insert(axis.unresolved.end(), places.begin(), places.end());
   axis.status = Medial_axis_status::UNRESOLVED;
 }
 

@@ -4,14 +4,18 @@
 //
 // Bodies of medial_axis/pruned.h.
 
-#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
-#include "edit_axis.h"
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "../query/Closest_search.h"
+#include "../tree/Segment_hierarchy.h"
+#include "Axis_editor.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -19,19 +23,16 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-// Takes branches away from an axis, the one of least significance first (medial_axis/pruned.h).
+// Takes branches away from an axis, the one of least significance first.
 
 class Axis_pruner {
  public:
   Axis_pruner(Medial_axis_2 axis, double significance)
-      : axis_(std::move(axis)), most_(significance), degree_(degrees(axis_)), is_left_(axis_.edges.size(), true),
-        lost_(axis_.vertices.size()) {}
+      : editor_(std::move(axis)), most_(significance), lost_(editor_.axis().vertices.size()) {}
 
   [[nodiscard]] Medial_axis_2 pruned() && {
-    while (remove_least()) {
-    }
-    compact();
-    return std::move(axis_);
+    for (Branch least = least_branch(); least.leaf != least.base; least = least_branch()) remove(least);
+    return std::move(editor_).edited();
   }
 
  private:
@@ -39,79 +40,79 @@ class Axis_pruner {
     Xy<double> center;
     double radius;
   };
-  static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
+  struct Branch {
+    std::size_t leaf, base;
+  };
 
   // How far a branch sticks out of the disc of its base: the most of the leaf's own disc and of all discs that were
   // taken away before it became a leaf.
-  [[nodiscard]] double significance(std::size_t leaf, std::size_t base) const {
-    const Medial_vertex &v = axis_.vertices[leaf], &b = axis_.vertices[base];
+  [[nodiscard]] double significance(const Branch& of) const {
+    const Medial_vertex &v = editor_.axis().vertices[of.leaf], &b = editor_.axis().vertices[of.base];
     double most = euclidean_norm(v.center - b.center) + v.radius - b.radius;
-    for (const Disc& d : lost_[leaf])
+    for (const Disc& d : lost_[of.leaf])
       most = (std::max)(most, euclidean_norm(d.center - b.center) + d.radius - b.radius);
     return most;
   }
-  bool remove_least() {
-    std::size_t best = NONE;
+  // \return one without a length where none is to go
+  [[nodiscard]] Branch least_branch() const {
+    Branch best{0, 0};
     double least = most_;
-    for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
-      if (!is_left_[i]) continue;
-      const Medial_edge& e = axis_.edges[i];
-      if ((degree_[e.from] == 1) == (degree_[e.to] == 1)) continue;  // no leaf, or all that is left
-      const bool is_from = degree_[e.from] == 1;
-      const double s = significance(is_from ? e.from : e.to, is_from ? e.to : e.from);
-      if (s < least) least = s, best = i;
+    const auto& edges = editor_.axis().edges;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const bool is_from = editor_.degree(edges[i].from) == 1, is_to = editor_.degree(edges[i].to) == 1;
+      if (!editor_.is_edge_left(i) || is_from == is_to) continue;  // no leaf, or all that is left
+      const Branch branch = is_from ? Branch{edges[i].from, edges[i].to} : Branch{edges[i].to, edges[i].from};
+      const double s = significance(branch);
+      if (s < least) least = s, best = branch;
     }
-    if (best == NONE) return false;
-    const Medial_edge& e = axis_.edges[best];
-    const std::size_t leaf = degree_[e.from] == 1 ? e.from : e.to, base = leaf == e.from ? e.to : e.from;
-    lost_[base].push_back({axis_.vertices[leaf].center, axis_.vertices[leaf].radius});
-    lost_[base].insert(lost_[base].end(), lost_[leaf].begin(), lost_[leaf].end());
-    is_left_[best] = false;
-    --degree_[e.from], --degree_[e.to];
-    if (degree_[base] == 2) pass(base);
-    return true;
+    return best;
   }
-  // A vertex that two edges are left of is a sample; what was lost there counts for both of its ends.
-  void pass(std::size_t vertex) {
-    std::size_t found[2] = {NONE, NONE};
-    for (std::size_t i = 0; i < axis_.edges.size(); ++i)
-      if (is_left_[i] && (axis_.edges[i].from == vertex || axis_.edges[i].to == vertex))
-        found[found[0] == NONE ? 0 : 1] = i;
-    if (found[1] == NONE) return;  // an edge that comes back
-    Medial_edge &e = axis_.edges[found[0]], &f = axis_.edges[found[1]];
-    join_edges(vertex, e, f);
-    is_left_[found[1]] = false;
-    degree_[vertex] = 0;
-    for (const std::size_t end : {e.from, e.to})
-      lost_[end].insert(lost_[end].end(), lost_[vertex].begin(), lost_[vertex].end());
+  void remove(const Branch& branch) {
+    const Medial_vertex& leaf = editor_.axis().vertices[branch.leaf];
+    lost_[branch.base].push_back({leaf.center, leaf.radius});
+    add_lost(branch.leaf, branch.base);
+    editor_.remove_vertex(branch.leaf);
+    // what was lost where two edges are left counts for both of their ends
+    if (const auto edge = editor_.pass(branch.base))
+      for (const std::size_t end : {editor_.axis().edges[*edge].from, editor_.axis().edges[*edge].to})
+        add_lost(branch.base, end);
   }
-  void compact() {
-    std::vector<std::size_t> number(axis_.vertices.size(), NONE);
-    Medial_axis_2 result = axis_;
-    result.vertices.clear();
-    result.edges.clear();
-    const auto vertex = [&](std::size_t i) {
-      if (number[i] == NONE) number[i] = result.vertices.size(), result.vertices.push_back(axis_.vertices[i]);
-      return number[i];
-    };
-    const std::vector<std::size_t> before = degrees(axis_);
-    for (std::size_t i = 0; i < axis_.vertices.size(); ++i)
-      if (before[i] == 0) (void)vertex(i);  // discs
-    for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
-      if (!is_left_[i]) continue;
-      Medial_edge& e = axis_.edges[i];
-      const std::size_t from = vertex(e.from), to = vertex(e.to);
-      result.edges.push_back({from, to, std::move(e.samples)});
-    }
-    axis_ = std::move(result);
+  void add_lost(std::size_t from, std::size_t to) {
+    const std::vector<Disc> lost = lost_[from];
+    lost_[to].insert(lost_[to].end(), lost.begin(), lost.end());
   }
 
-  Medial_axis_2 axis_;
+  Axis_editor editor_;
   double most_;
-  std::vector<std::size_t> degree_;
-  std::vector<bool> is_left_;
   std::vector<std::vector<Disc>> lost_;  // what was taken away at each vertex
 };
+
+/// \param curves the parts that discs touch
+[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Segment_hierarchy& curves, double least_angle,
+                                    double half_distance) {
+  const auto is_apart = [&](const Medial_sample& s) {
+    const Xy<double> left = point_at(curves, s.left), right = point_at(curves, s.right), a = left - s.center,
+                     b = right - s.center;
+    const double angle = std::fabs(std::atan2(cross(a, b), dot(a, b)));
+    return angle >= least_angle && euclidean_norm(left - right) >= 2 * half_distance;
+  };
+  Axis_editor editor(std::move(axis));
+  // feet at ends of edges are those of the way there; of the leaf itself any
+  const std::vector<std::size_t> moved = editor.shorten([&](const Medial_edge& e, bool is_alone) {
+    std::size_t first = 1;
+    while (first + 1 < e.samples.size() && !is_apart(e.samples[first])) ++first;
+    const bool is_whole =
+        first + 1 < e.samples.size() ? first == 1 : is_alone || (first == 1 && is_apart(e.samples[1]));
+    return is_whole ? 0 : first;
+  });
+  for (const std::size_t i : moved) {
+    Medial_vertex& v = editor.axis().vertices[i];
+    v.clearance = closest_point(curves, v.center)->distance;
+    double& error = editor.axis().error;
+    error = (std::max)({error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
+  }
+  return std::move(editor).edited();
+}
 
 }  // namespace
 
@@ -123,6 +124,18 @@ Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
   const Unit unit = internal::unit_of(axis);
   return internal::out(
       unit, internal::Axis_pruner(internal::in(unit, std::move(axis)), unit.tolerance_in(significance)).pruned());
+}
+
+Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Feet_apart& apart) {
+  constexpr double MOST_ANGLE = 2;
+  if (!(apart.angle >= 0 && apart.angle <= MOST_ANGLE))
+    throw std::invalid_argument(expected("angle", "a number from 0 to 2", apart.angle));
+  if (!(apart.half_distance >= 0))
+    throw std::invalid_argument(expected("distance", "a number of at least 0", 2 * apart.half_distance));
+  const Unit& unit = tree.unit();
+  const auto bounds = internal::bounds_of(axis, tree.in_unit());
+  return internal::out(unit, internal::trimmed(internal::in(unit, std::move(axis)), bounds->segments, apart.angle,
+                                               unit.tolerance_in(apart.half_distance)));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -9,7 +9,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_START_AXIS_PARTS_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_START_AXIS_PARTS_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include "Axis_leaves.h"
 #include "Axis_parts.h"
 

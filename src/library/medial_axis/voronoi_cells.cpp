@@ -8,12 +8,12 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
+#include "Line_parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,11 +25,7 @@ namespace {
 /// Places of curves near unit size.
 class Places {
  public:
-  explicit Places(const Segment_hierarchy& curves) : curves_(curves) {
-    for (std::uint32_t i = 0; i < curves_.drawing().curves().size(); ++i)
-      for (const Curve_place& end : {Curve_place{i, 0, 0}, Curve_place{i, count(i) - 1, 1}})
-        ends_[key(end)].push_back(end);
-  }
+  explicit Places(const Segment_hierarchy& curves) : curves_(curves) {}
 
   [[nodiscard]] Xy<double> point(const Curve_place& p) const { return internal::point_at(curves_, p); }
   [[nodiscard]] bool is_on_left(const Xy<double>& q, const Curve_place& p) const {
@@ -41,27 +37,6 @@ class Places {
   }
   [[nodiscard]] bool is_end(const Curve_place& p) const {
     return (p.bezier == 0 && p.t == 0) || (p.bezier + 1 == count(p.curve) && p.t == 1);
-  }
-  /// The end of a curve that is next to a place.
-  [[nodiscard]] Curve_place end_at(std::uint32_t curve, const Curve_place& p) const {
-    const Curve_place start{curve, 0, 0}, stop{curve, count(curve) - 1, 1};
-    const Xy<double> q = point(p);
-    return euclidean_norm(point(start) - q) <= euclidean_norm(point(stop) - q) ? start : stop;
-  }
-  /// Both ends of the curve between two places that are ends of curves: of more than one that next to a center.
-  [[nodiscard]] std::optional<std::pair<Curve_place, Curve_place>> between(const Curve_place& p, const Curve_place& q,
-                                                                           const Xy<double>& center) const {
-    std::optional<std::pair<Curve_place, Curve_place>> best;
-    double least = HUGE_VAL;
-    for (const Curve_place& from : ends_.at(key(p)))
-      for (const Curve_place& to : ends_.at(key(q))) {
-        if (from.curve != to.curve || from.t == to.t) continue;
-        const std::uint32_t n = count(from.curve);
-        const Curve_place middle{from.curve, n / 2, n % 2 == 0 ? 0 : 0.5};
-        const double d = euclidean_norm(point(middle) - center);
-        if (d < least) least = d, best = {from, to};
-      }
-    return best;
   }
   /// The name of a place of the same curve on a Bezier piece, if it is a joint of that.
   [[nodiscard]] Curve_place on_piece(const Curve_place& p, std::uint32_t bezier) const {
@@ -85,20 +60,18 @@ class Places {
   }
 
  private:
-  [[nodiscard]] std::pair<double, double> key(const Curve_place& p) const {
-    const Xy<double> q = point(p);
-    return {q.x, q.y};
-  }
-
   const Segment_hierarchy& curves_;
-  std::map<std::pair<double, double>, std::vector<Curve_place>> ends_;
 };
 
 /// Goes along the boundary of all regions by both sides of each edge: the right feet run along it, the left ones
 /// against the edge's direction.
 class Cell_walk {
  public:
-  Cell_walk(const Segment_hierarchy& curves, const Medial_axis_2& axis) : places_(curves), axis_(axis) { link(); }
+  Cell_walk(const Bounding_parts& bounds, const Medial_axis_2& axis)
+      : places_(bounds.segments), curves_(bounds.segments),
+        runs_(bounds, LEAST * coordinate_size(bounds.segments.drawing())), axis_(axis) {
+    link();
+  }
 
   [[nodiscard]] std::vector<Voronoi_cell> cells() {
     std::vector<bool> is_done(2 * axis_.edges.size());
@@ -168,21 +141,15 @@ class Cell_walk {
   }
 
   [[nodiscard]] Line line(std::size_t side, std::size_t k) const {
-    const auto ends = [&](bool is_own) {
-      Curve_place p = foot(side, k, is_own), q = foot(side, k + 1, is_own);
-      if (p.curve == q.curve) return std::pair(p, q);
-      // a joint of curves has the name of one of them
-      if (places_.is_end(p) && places_.is_end(q)) {
-        const Xy<double> way =
-            edge(side).samples[sample(side, k + 1)].center - edge(side).samples[sample(side, k)].center;
-        if (const auto run = places_.between(p, q, edge(side).samples[sample(side, k)].center + 0.5 * way)) return *run;
-      }
-      if (places_.is_end(p) && !places_.is_end(q)) p = places_.end_at(q.curve, p);
-      else q = places_.end_at(p.curve, q);
-      return std::pair(p, q);
+    const auto run = [&](bool is_own) {
+      const Curve_place &p = foot(side, k, is_own), &q = foot(side, k + 1, is_own);
+      const std::optional<Foot_run> found = runs_.between(p, q);
+      if (found && !found->is_point)
+        return std::pair(curves_.place_at(found->segment, found->from), curves_.place_at(found->segment, found->to));
+      return std::pair(p, p.curve == q.curve ? q : p);
     };
-    const auto [from, to] = ends(true);
-    return {side, k, from, to, ends(false).first.curve, places_.direction(from, to)};
+    const auto [from, to] = run(true);
+    return {side, k, from, to, run(false).first.curve, places_.direction(from, to)};
   }
 
   // The cell of a curve that is a circle, which has no edge within.
@@ -231,7 +198,11 @@ class Cell_walk {
     }
   }
 
+  static constexpr double LEAST = 0x1p-42;  // of the size: lengths below are nothing
+
   Places places_;
+  const Segment_hierarchy& curves_;
+  Foot_runs runs_;
   const Medial_axis_2& axis_;
   std::vector<std::size_t> next_;  // side 2i is the right one of edge i, 2i + 1 the left one
   std::vector<Voronoi_cell> cells_;
@@ -244,7 +215,8 @@ class Cell_walk {
 namespace CGAL::Bounding_arcs {
 
 std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis) {
-  return internal::Cell_walk(tree.in_unit(), internal::in(tree.unit(), axis)).cells();
+  const auto bounds = internal::bounds_of(axis, tree.in_unit());
+  return internal::Cell_walk(*bounds, internal::in(tree.unit(), axis)).cells();
 }
 
 std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,

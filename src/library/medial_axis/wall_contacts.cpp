@@ -2,14 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of Close_walls.h.
-
-#include "Close_walls.h"
+// Bodies of Bounding_parts.h.
 
 #include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
 #include "../query/Closest_search.h"
 #include "../tree/Segment_hierarchy.h"
-#include "make_axis_boundary.h"
+#include "Axis_boundary.h"
+#include "Bounding_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +152,7 @@ class Contact_finder {
   }
   [[nodiscard]] bool parts_fast(std::uint32_t i, double s, std::uint32_t j, double t) const {
     const Xy<double> a = curves_.sample(i, s).tangent, b = curves_.sample(j, t).tangent;
-    return std::fabs(cross(a, b)) > LEAST_TURN / 4;
+    return std::fabs(cross(a, b)) > Boundary_element::LEAST_TURN / 4;
   }
   void add_middle(std::uint32_t i, std::uint32_t j, const Stretch& stretch) {
     const double s = 0.5 * (stretch.from + stretch.to);

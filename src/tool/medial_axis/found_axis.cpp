@@ -13,7 +13,6 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <algorithm>

@@ -10,8 +10,7 @@
 #include "../written/Written_drawing.h"
 #include "found_axis.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/thin_stretches.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 
 #include <cmath>
 #include <optional>

@@ -7,11 +7,14 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_GRAPH_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_GRAPH_H
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
@@ -36,7 +39,21 @@ using Medial_graph =
 /// Returns the graph of an axis.
 /// \pre axis.is_valid()
 /// \complexity linear in the samples
-[[nodiscard]] Medial_graph graph_of(const Medial_axis_2& axis);
+[[nodiscard]] inline Medial_graph graph_of(const Medial_axis_2& axis) {
+  Medial_graph graph(axis.vertices.size());
+  for (std::size_t i = 0; i < axis.vertices.size(); ++i) graph[i] = {axis.vertices[i].center, axis.vertices[i].radius};
+  for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+    const std::vector<Medial_sample>& samples = axis.edges[i].samples;
+    Medial_graph_edge edge{i, 0, samples.front().radius, samples.front().radius};
+    for (std::size_t k = 1; k < samples.size(); ++k) {
+      edge.length += euclidean_norm(samples[k].center - samples[k - 1].center);
+      edge.least_clearance = (std::min)(edge.least_clearance, samples[k].radius);
+      edge.most_clearance = (std::max)(edge.most_clearance, samples[k].radius);
+    }
+    boost::add_edge(axis.edges[i].from, axis.edges[i].to, edge, graph);
+  }
+  return graph;
+}
 
 }  // namespace CGAL::Bounding_arcs
 

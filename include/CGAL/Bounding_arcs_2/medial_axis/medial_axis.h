@@ -10,12 +10,42 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
 
 namespace CGAL::Bounding_arcs {
 
 namespace internal {
+/// A loop of independent pieces of work, for_each_index. A pointer to it is what lets the library, which is compiled
+/// without threads, run in those of its user.
+using Index_loop = void (*)(std::size_t count, const std::function<void(std::size_t)>& work);
+template <class ConcurrencyTag> [[nodiscard]] Index_loop index_loop() {
+  return &for_each_index<ConcurrencyTag, std::function<void(std::size_t)>>;
+}
+/// Calls work(begin, end) for ranges that together are 0, ..., count - 1.
+template <class Work> void loop_over_ranges(Index_loop loop, std::size_t count, const Work& work) {
+  loop((count + RANGE_SIZE - 1) / RANGE_SIZE,
+       [&](std::size_t i) { work(i * RANGE_SIZE, (std::min)((i + 1) * RANGE_SIZE, count)); });
+}
+
+/// What an axis is made by.
+struct Axis_job : Medial_axis_options {
+  double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
+  Index_loop loop = index_loop<CGAL::Sequential_tag>();
+};
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+[[nodiscard]] Axis_job axis_job(double eps, const Medial_axis_options& options) {
+  Axis_job job;
+  static_cast<Medial_axis_options&>(job) = options;
+  job.eps = eps;
+  job.loop = index_loop<ConcurrencyTag>();
+  return job;
+}
+
 // The search takes threads as an argument: it is compiled without any.
 [[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, const Axis_job& job = {});
 }  // namespace internal

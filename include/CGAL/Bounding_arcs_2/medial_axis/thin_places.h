@@ -2,15 +2,20 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a shape is thinner than a limit: the stretches of its axis with discs that are too small, without corners.
+// Where a shape is thin: stretches of its axis with discs below a limit, without corners, and necks.
 //
 //     ---------------.                  The axis forks towards the corners of a bar, where radii go to 0. A shape is
 //     = = = = = = =<  |                 as thick there as where the fork begins: a corner is no thin place. The taper
 //     ---------------'                  of its sides tells it, the angle a: along an axis whose discs touch sides
 //                                       with that angle between them radii change by sin(a/2) of the way.
+//
+// Necks are maximal discs that are smaller than those around them on the axis.
+// The discs of an axis are flooded from the smallest one up. A pool begins at each local minimum; where two pools meet,
+// the one with the larger minimum ends, and its prominence is by how much the radius has risen (Edelsbrunner, Letscher,
+// Zomorodian 2002). Pools that begin at an end of the axis are corners and tips, not necks.
 
-#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_THIN_STRETCHES_H
-#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_THIN_STRETCHES_H
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_THIN_PLACES_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_THIN_PLACES_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
@@ -60,6 +65,32 @@ constexpr double THIN_CORNER = 1.0471975511965976;
 /// \complexity n log n in the samples
 [[nodiscard]] std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit,
                                                        double corner = THIN_CORNER);
+
+/// A place where a shape, or the room in a frame, is narrower than around it.
+/// \code
+/// for (const Neck& neck : necks(axis)) std::cout << neck.thickness() << '\n';
+/// \endcode
+struct Neck {
+  Medial_sample disc;    ///< the smallest one, and where it touches both sides
+  std::size_t edge = 0;  ///< of the axis
+  double prominence =
+      0;  ///< the radius rises by that on each way to a narrower place or an end; infinite: none is left
+
+  [[nodiscard]] double thickness() const { return 2 * disc.radius; }
+
+  /// Writes the members in their order, with a blank between.
+  friend std::ostream& operator<<(std::ostream& out, const Neck& answer) {
+    return out << answer.disc << ' ' << answer.prominence;
+  }
+};
+
+/// Returns the necks of what an axis is of, the narrowest first.
+/// \param least_prominence necks that stand out by no more are left out; at least axis.eps is taken, as samples tell no
+///   smaller difference
+/// \guarantee the thickness is within 2 axis.eps of the least one there, as good as the axis is; a long neck of one
+///   width, or a ring, has one place
+/// \complexity n log n in the samples
+[[nodiscard]] std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence = 0);
 
 }  // namespace CGAL::Bounding_arcs
 
