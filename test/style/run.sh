@@ -106,8 +106,8 @@ for_users='curve tree query chain overlay boolean offset medial_axis arrangement
 for_kernels='number polynomial arc frame spiral region verify'
 mapfile -t installed < <(find include/CGAL/Bounding_arcs_2 -name '*.h')
 limit 'Installed headers' 158 "${#installed[@]}"
-limit 'Lines of installed headers' 16940 "$(cat "${installed[@]}" | wc -l)"
-limit 'Types in rooms for users' 136 "$(named type "$for_users")"
+limit 'Lines of installed headers' 17200 "$(cat "${installed[@]}" | wc -l)"
+limit 'Types in rooms for users' 137 "$(named type "$for_users")"
 limit 'Functions in rooms for users' 142 "$(named function "$for_users")"
 limit 'Types in rooms for kernels' 81 "$(named type "$for_kernels")"
 limit 'Functions in rooms for kernels' 145 "$(named function "$for_kernels")"
