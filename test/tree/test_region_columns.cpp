@@ -9,10 +9,10 @@
 #include "cases.h"
 #include "degenerate_curves.h"
 #include "trees.h"
+#include "various_spirals.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
-#include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
 #include <gtest/gtest.h>
@@ -42,22 +42,6 @@ Region_columns regions_of(const Tree<Traits>& tree, Instruction_set set = Instru
   Region_columns columns;
   make_regions(tree, columns, set);
   return columns;
-}
-
-// Spirals of polynomial and rational curves of degrees from 2 to 9, moved away from the origin, mirrored and turned
-// round.
-std::vector<Spiral> various_spirals(unsigned seed, int count) {
-  std::mt19937 random(seed);
-  std::vector<Spiral> spirals;
-  for (int i = 0; i < count; ++i) {
-    const Bezier curve = random_curve(random, 2 + i % 8, i % 3 == 2);
-    std::vector<Point> points = curve.control_points();
-    const double scale = std::ldexp(1.0, i % 3 == 0 ? 0 : i % 40 - 20);
-    for (Point& p : points) p = {scale * (p.x + i % 4), scale * (i % 2 == 0 ? p.y : -p.y)};
-    if (i % 3 == 1) points = {points.rbegin(), points.rend()};
-    for (const Spiral& s : ba::spiral_segments(Bezier(points, curve.weights()))) spirals.push_back(s);
-  }
-  return spirals;
 }
 
 template <class Traits> class Regions : public testing::Test {};
@@ -114,37 +98,6 @@ TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
                                 &ba::Side_columns::second_bulge})
         EXPECT_EQ((base.*side).*column, (other.*side).*column);
   }
-}
-
-// Segments of few leaves are made side by side with others, and are to have the bits that they have by themselves:
-// whatever their neighbours, and whichever of them a lane is left to.
-TYPED_TEST(Regions, AreTheSameBitsSideBySideAsOneByOne) {
-  std::size_t few = 0, many = 0, coarse = 0;
-  const auto spirals = various_spirals(7, 40);
-  for (const double eps : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-    if (bounding_arcs_test::FEW_CASES && eps < 1e-2) break;
-    const Tree<TypeParam> tree(spirals, eps);
-    const Region_columns all = regions_of(tree);
-    ba::Region_reader<Tree<TypeParam>> reader(tree);
-    reader.for_each_leaf([&](const Node_handle& h, const ba::Arc_region_2& one) {
-      const ba::Arc_region_2 region = all.region(all.row_of(tree.node(h)), h.spiral);
-      EXPECT_EQ(region.widening, one.widening) << h.spiral;
-      EXPECT_TRUE(region.from == one.from && region.to == one.to) << h.spiral;
-      for (const auto side : {&ba::Arc_region_2::inner, &ba::Arc_region_2::outer}) {
-        const ba::Arc_side_2 &a = region.*side, &b = one.*side;
-        EXPECT_TRUE(a.size == b.size && a.joint == b.joint && a.bulges[0] == b.bulges[0] && a.bulges[1] == b.bulges[1])
-            << h.spiral << ": " << region << " and " << one;
-      }
-    });
-    for (std::size_t i = 0; i < tree.spirals().size(); ++i) {
-      const std::size_t count = all.first[i + 1] - all.first[i] - 1;
-      ++(count <= 2 ? few : many);
-      coarse += all.widening[i] > 64 * ba::ulp_of(tree.spirals()[i].coordinate_size()) ? 1 : 0;
-    }
-  }
-  EXPECT_GT(few, 100u);
-  EXPECT_GT(many, 100u);
-  EXPECT_GT(coarse, 0u);
 }
 
 // The proof of every region, and how many there were.
