@@ -17,18 +17,12 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_HULL_OUTLINE_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_HULL_OUTLINE_H
 
-#include "../tree/Segment_hierarchy.h"
-#include "Hull_samples.h"
-#include "Work_limit.h"
+#include "Hull_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -37,185 +31,127 @@ namespace CGAL::Bounding_arcs::internal {
 class Hull_outline {
  public:
   /// \param tolerance of heights of pieces that are no caps
-  Hull_outline(const Segment_hierarchy& curves, double tolerance)
-      : curves_(curves), tolerance_(tolerance), limit_(most_pieces(curves.number_of_segments())) {
-    for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
-      active_.push_back({curves.piece(s), curves.region(s)});
-      polygon_.push_back(curves.piece(s).first.point);
-      polygon_.push_back(curves.piece(s).last.point);
-      error_ = (std::max)(error_, curves.error(s));
-    }
-    polygon_ = convex_polygon(polygon_);
-    while (look_at_all()) {
-    }
-    for (const Active& a : active_) pieces_.push_back(a.piece);
+  Hull_outline(const Segment_hierarchy& curves, double tolerance) : hull_(curves), tolerance_(tolerance) {
+    do {
+      hull_.drop_inside(tolerance);
+      find_caps();
+      mark_what_is_no_cap();
+    } while (hull_.halve_marked());
   }
 
-  [[nodiscard]] const Convex_polygon& polygon() const { return polygon_; }
-  [[nodiscard]] const std::vector<Spiral_piece_2>& pieces() const { return pieces_; }
+  [[nodiscard]] const Hull_pieces& hull() const { return hull_; }
   /// How far the hull may be beside caps and edges of the polygon.
-  [[nodiscard]] double height() const { return height_ + 2 * error_; }
-  [[nodiscard]] double error() const { return error_; }
-  /// Whether pieces were left higher, as there were too many.
-  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
+  [[nodiscard]] double height() const {
+    double most = dent_;
+    for (const Hull_pieces::Part& p : hull_.parts()) most = p.is_low ? (std::max)(most, p.height) : most;
+    return most + 2 * hull_.error();
+  }
 
  private:
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
-  struct Active {
-    Spiral_piece_2 piece;
-    Fat_arc_2 fat;
-    std::size_t edge = NONE;  // that it may be the cap of
-  };
-  // Over an edge of the polygon, in its direction.
+  // Pieces over an edge of the polygon, in its direction.
   struct Cap {
-    std::size_t piece = NONE;
-    Xy<double> start, end;  // unit tangents
+    int count = 0;
+    Xy<double> start, end;  // unit tangents of the only one
     double unsure = 0;
   };
 
-  // \return whether a piece was halved
-  bool look_at_all() {
-    std::vector<Active> kept, next;
-    for (Active& a : active_) {
-      if (is_inside(a.fat, polygon_)) continue;
-      if (height_of(a.fat) <= least_height(a)) keep_low(a);
-      else kept.push_back(a);
-    }
-    active_.clear();
-    find_caps(kept);
-    std::vector<char> is_disturbed(polygon_.size(), 0);
-    double dent = 0;
-    for (Active& a : kept) {
-      if (a.edge != NONE && is_convex(a.edge, dent)) continue;
-      a.edge = NONE;
-      disturb(a, is_disturbed);
-    }
-    Convex_polygon points = polygon_;
-    bool is_changed = false;
-    for (const Active& a : kept) {
-      if (a.edge != NONE && is_disturbed[a.edge] == 0) {
-        active_.push_back(a);
-        continue;
-      }
-      const auto middle = limit_.spend() ? halves(curves_, a.piece) : std::optional<Spiral_halves_2>();
-      if (!middle) {
-        keep_low(a);
-        continue;
-      }
-      is_changed = true;
-      active_.push_back({middle->first, curves_.region(middle->first)});
-      active_.push_back({middle->second, curves_.region(middle->second)});
-      points.push_back(middle->first.last.point);
-    }
-    if (is_changed) polygon_ = convex_polygon(points);
-    else height_ = (std::max)(height_, dent);
-    return is_changed;
-  }
-  // How high a piece has to be to be halved: samples of lower pieces need not be convex.
-  [[nodiscard]] double least_height(const Active& a) const {
-    constexpr double LEAST = 64;  // times the error
-    return (std::max)(tolerance_, LEAST * curves_.error(a.piece.segment));
-  }
-  void keep_low(const Active& a) {
-    pieces_.push_back(a.piece);
-    height_ = (std::max)(height_, height_of(a.fat));
-  }
-
   // Pieces whose ends are neighbouring corners, and which are beyond that edge. An edge with two of them has none.
-  void find_caps(std::vector<Active>& kept) {
-    const std::size_t n = polygon_.size();
-    caps_.assign(n, Cap());
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto before = [](const Xy<double>& p, const Xy<double>& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; };
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t i, std::size_t k) { return before(polygon_[i], polygon_[k]); });
+  void find_caps() {
+    const Convex_polygon& polygon = hull_.polygon();
+    const std::size_t n = polygon.size();
+    std::vector<std::tuple<double, double, std::size_t>> corners;
+    for (std::size_t i = 0; i < n; ++i) corners.emplace_back(polygon[i].x, polygon[i].y, i);
+    std::sort(corners.begin(), corners.end());
     const auto corner = [&](const Xy<double>& p) {
-      const auto i = std::lower_bound(order.begin(), order.end(), p,
-                                      [&](std::size_t k, const Xy<double>& q) { return before(polygon_[k], q); });
-      return i != order.end() && polygon_[*i] == p ? *i : NONE;
+      const auto found = std::lower_bound(corners.begin(), corners.end(), std::tuple(p.x, p.y, std::size_t(0)));
+      return found != corners.end() && polygon[std::get<2>(*found)] == p ? std::get<2>(*found) : NONE;
     };
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      kept[i].edge = NONE;
-      const Spiral_piece_2& p = kept[i].piece;
+    caps_.assign(n, Cap());
+    edges_.assign(hull_.parts().size(), NONE);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const Hull_pieces::Part& part = hull_.parts()[i];
+      const Spiral_piece_2& p = part.piece;
       constexpr double GOOD = 0x1p-16;
-      const double unsure = (std::max)(p.first.tangent_error, p.last.tangent_error), bulge = kept[i].fat.arc.bulge;
-      if (curves_.is_straight(p.segment) || !(unsure <= GOOD) || bulge == 0) continue;
+      const double unsure = (std::max)(p.first.tangent_error, p.last.tangent_error), bulge = part.fat.arc.bulge;
+      if (part.is_low || hull_.curves().is_straight(p.segment) || !(unsure <= GOOD) || bulge == 0) continue;
       const bool is_forward = bulge > 0;
       const Spiral_sample &from = is_forward ? p.first : p.last, &to = is_forward ? p.last : p.first;
       const std::size_t a = corner(from.point), b = corner(to.point);
       if (a == NONE || b == NONE || (a + 1) % n != b) continue;
       const double sign = is_forward ? 1 : -1;
       const Xy<double> start = sign * from.tangent, end = sign * to.tangent, chord = to.point - from.point;
-      const double room = (unsure + 8 * HALF_ULP) * euclidean_norm(chord) + 2 * curves_.error(p.segment);
+      const double room = (unsure + 8 * HALF_ULP) * euclidean_norm(chord) + 2 * hull_.curves().error(p.segment);
       // all of it turns to the left, from one side of the chord to the other
       if (!(cross(start, chord) > room && cross(chord, end) > room && cross(start, end) > 2 * unsure)) continue;
-      kept[i].edge = a;
-      if (caps_[a].piece == NONE) {
-        caps_[a] = {i, start, end, unsure};
-        continue;
-      }
-      if (kept[caps_[a].piece].edge == a) kept[caps_[a].piece].edge = NONE;
-      kept[i].edge = NONE;
-      caps_[a].unsure = std::numeric_limits<double>::infinity();
+      edges_[i] = a;
+      caps_[a] = {caps_[a].count + 1, start, end, unsure};
     }
-    for (const Active& a : kept)
-      if (a.edge != NONE && !(caps_[a.edge].unsure < 1)) caps_[a.edge] = Cap();
+    for (std::size_t& edge : edges_)
+      if (edge != NONE && caps_[edge].count > 1) edge = NONE;
+  }
+
+  void mark_what_is_no_cap() {
+    std::vector<Hull_pieces::Part>& parts = hull_.parts();
+    std::vector<char> is_disturbed(hull_.polygon().size(), 0);
+    dent_ = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].is_low || (edges_[i] != NONE && is_convex(edges_[i]))) continue;
+      edges_[i] = NONE;
+      disturb(parts[i].fat, is_disturbed);
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      parts[i].is_marked = edges_[i] == NONE || is_disturbed[edges_[i]] != 0;
   }
   // Whether what is before and behind a cap turns to the left, but for a dent.
-  [[nodiscard]] bool is_convex(std::size_t edge, double& dent) const {
-    const std::size_t n = polygon_.size(), before = (edge + n - 1) % n, next = (edge + 1) % n;
-    const double at_start = dent_at(edge_end(before), edge_start(edge), length(before), length(edge)),
-                 at_end = dent_at(edge_end(edge), edge_start(next), length(edge), length(next));
-    const double most = (std::max)(at_start, at_end);
+  [[nodiscard]] bool is_convex(std::size_t edge) {
+    const std::size_t n = hull_.polygon().size(), before = (edge + n - 1) % n, next = (edge + 1) % n;
+    const double most = (std::max)(dent_between(before, edge), dent_between(edge, next));
     constexpr double PART = 0.5;  // of what low pieces may be high
-    if (!(most <= PART * (std::max)(tolerance_, 64 * error_))) return false;
-    dent = (std::max)(dent, most);
+    if (!(most <= PART * (std::max)(tolerance_, 64 * hull_.error()))) return false;
+    dent_ = (std::max)(dent_, most);
     return true;
   }
   struct Direction {
     Xy<double> unit;
     double unsure;
   };
-  [[nodiscard]] double length(std::size_t edge) const {
-    return euclidean_norm(polygon_[(edge + 1) % polygon_.size()] - polygon_[edge]);
+  [[nodiscard]] Xy<double> side(std::size_t edge) const {
+    const Convex_polygon& p = hull_.polygon();
+    return p[(edge + 1) % p.size()] - p[edge];
   }
-  [[nodiscard]] Direction direction(std::size_t edge) const {
-    const Xy<double> way = polygon_[(edge + 1) % polygon_.size()] - polygon_[edge];
-    return {(1 / euclidean_norm(way)) * way, 0};
-  }
-  [[nodiscard]] Direction edge_start(std::size_t edge) const {
+  [[nodiscard]] Direction direction(std::size_t edge, bool at_end) const {
     const Cap& c = caps_[edge];
-    return c.piece == NONE || !(c.unsure < 1) ? direction(edge) : Direction{c.start, c.unsure};
-  }
-  [[nodiscard]] Direction edge_end(std::size_t edge) const {
-    const Cap& c = caps_[edge];
-    return c.piece == NONE || !(c.unsure < 1) ? direction(edge) : Direction{c.end, c.unsure};
+    if (c.count == 1) return {at_end ? c.end : c.start, c.unsure};
+    return {(1 / euclidean_norm(side(edge))) * side(edge), 0};
   }
   // Corners are within the error of the curves, which turns edges: 2 e of a length.
-  [[nodiscard]] double dent_at(const Direction& u, const Direction& v, double before, double behind) const {
+  [[nodiscard]] double dent_between(std::size_t before, std::size_t next) const {
+    const Direction u = direction(before, true), v = direction(next, false);
     const double sine = u.unsure + v.unsure + 16 * HALF_ULP - cross(u.unit, v.unit);
-    return sine > 0 ? sine * (std::min)(before, behind) + 4 * error_ : 0;
+    const double shorter = (std::min)(euclidean_norm(side(before)), euclidean_norm(side(next)));
+    return sine > 0 ? sine * shorter + 4 * hull_.error() : 0;
   }
 
   // Marks the edges that a piece may be above of.
-  void disturb(const Active& a, std::vector<char>& is_disturbed) const {
-    if (polygon_.size() < 3 || !(euclidean_norm(a.fat.arc.to - a.fat.arc.from) > 0)) {
+  void disturb(const Fat_arc_2& fat, std::vector<char>& is_disturbed) const {
+    if (hull_.polygon().size() < 3 || !(euclidean_norm(fat.arc.to - fat.arc.from) > 0)) {
       std::fill(is_disturbed.begin(), is_disturbed.end(), 1);
       return;
     }
-    for (const Xy<double>& corner : rectangle_of(a.fat))
-      if (!is_in(corner, polygon_)) is_disturbed[edge_below(corner)] = 1;
+    for (const Xy<double>& corner : rectangle_of(fat))
+      if (!is_in(corner, hull_.polygon())) is_disturbed[edge_below(corner)] = 1;
   }
   // The edge that is crossed on the way to a point outside from one inside, or one beside it. The corners are in the
   // order of their directions from the point inside, so that half of them are left out at a time.
   [[nodiscard]] std::size_t edge_below(const Xy<double>& q) const {
-    const std::size_t n = polygon_.size();
-    const Xy<double> inside = (1.0 / 3) * (polygon_[0] + polygon_[n / 3] + polygon_[2 * n / 3]);
-    const Xy<double> first = polygon_[0] - inside, to_q = q - inside;
+    const Convex_polygon& p = hull_.polygon();
+    const std::size_t n = p.size();
+    const Xy<double> inside = (1.0 / 3) * (p[0] + p[n / 3] + p[2 * n / 3]);
+    const Xy<double> first = p[0] - inside, to_q = q - inside;
     const bool is_q_left = cross(first, to_q) >= 0;
     const auto is_behind = [&](std::size_t corner) {  // whether the way to q comes after that to a corner
-      const Xy<double> way = polygon_[corner] - inside;
+      const Xy<double> way = p[corner] - inside;
       const bool is_left = cross(first, way) >= 0;
       return is_left == is_q_left ? cross(way, to_q) >= 0 : is_left;
     };
@@ -227,13 +163,10 @@ class Hull_outline {
     return low;
   }
 
-  const Segment_hierarchy& curves_;
-  double tolerance_, height_ = 0, error_ = 0;
-  Convex_polygon polygon_;
-  std::vector<Active> active_;
-  std::vector<Cap> caps_;  // one an edge
-  std::vector<Spiral_piece_2> pieces_;
-  Work_limit limit_;
+  Hull_pieces hull_;
+  double tolerance_, dent_ = 0;
+  std::vector<Cap> caps_;           // one an edge
+  std::vector<std::size_t> edges_;  // that parts are caps of
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

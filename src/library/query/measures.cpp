@@ -6,9 +6,7 @@
 
 #include "Area_sum.h"
 #include "Lens.h"
-#include "double_double_area.h"
 #include "query_units.h"
-#include "refine_sum.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
@@ -275,10 +273,6 @@ class Length_sum {
 
 namespace CGAL::Bounding_arcs {
 
-[[nodiscard]] static Measure_bounds measured(double lower, double upper, double tolerance, bool is_limited) {
-  return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
-}
-
 Measure_bounds length(const Bounding_arc_tree_2& curves, double eps) {
   check_tolerance(eps);
   if (curves.empty()) return {0, 0};
@@ -308,7 +302,7 @@ Measure_bounds area(const Bounding_arc_tree_2& curves, double eps) {
 
 // \param tolerance relative to the extent
 [[nodiscard]] static std::optional<Centroid_bounds> centroid(const Segment_hierarchy& curves, double tolerance) {
-  const double extent = internal::Area_sum::extent_of(curves);
+  const double extent = internal::extent_of(curves);
   const Measure_bounds rough = area(curves, 0x1p-10 * extent * extent);
   const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
   const auto bounds = [&](double of_sum) -> std::optional<Centroid_bounds> {

@@ -12,7 +12,10 @@
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include "../tree/Segment_hierarchy.h"
+#include "Work_limit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +75,22 @@ inline void check_tolerance(double eps) {
   if (!(eps >= 0)) throw std::invalid_argument(expected("eps", "a number of at least 0", eps));
 }
 
+/// Bounds of a measure, with the status of being so wide where a tolerance was asked for.
+[[nodiscard]] inline Measure_bounds measured(double lower, double upper, double tolerance, bool is_limited) {
+  return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
+}
+
 }  // namespace CGAL::Bounding_arcs
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The longer side of a drawing's box; 0 of an empty one.
+[[nodiscard]] inline double extent_of(const Segment_hierarchy& curves) {
+  if (curves.empty()) return 0;
+  const CGAL::Bbox_2& box = curves.boxes().box();
+  return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif
