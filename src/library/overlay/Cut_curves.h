@@ -18,7 +18,7 @@
 #include "Joined_sets.h"
 #include "Meeting_places.h"
 
-#include "../query/Curve_joints.h"
+#include "../query/join_intersections.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <cstddef>

@@ -16,27 +16,36 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include "../tree/Segment_hierarchy.h"
-#include "Work_limit.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// The factors of the series above, by k; a table, as quotients are not made while it is compiled where rounding
+/// counts.
+struct Lens_series {
+  static constexpr int LAST_TERM = 10;
+  double of[LAST_TERM + 1] = {};
+  constexpr Lens_series() {
+    for (int k = 2; k <= LAST_TERM; ++k) of[k] = (k % 2 == 0 ? 3.0 : -3.0) / ((2 * k + 1) * (2 * k - 1) * (2 * k - 3));
+  }
+};
+inline constexpr Lens_series LENS_SERIES;
+
 /// A / L^2.
 /// \guarantee within 100 u of itself: the series errs by its first term left out, 2^-51 of itself, and 20 roundings;
 ///   the other form has differences that are at least b^2 of what they are made of, which multiplies 6 roundings by 16
 [[nodiscard]] inline double lens_share(double b) {
-  constexpr double SERIES = 0.25;
-  constexpr int LAST_TERM = 10;
+  constexpr double SERIES = 0.25, FLAT = 0x1p-10;  // below that, b^6 is nothing beside 1
   const double square = b * b;
   if (std::fabs(b) > SERIES) {
     const double m = 1 + square;
     return (m * m * std::atan(b) - b * (1 - square)) / (8 * square);
   }
   double sum = 0;
-  for (int k = LAST_TERM; k >= 2; --k)
-    sum = square * (3.0 / ((2 * k + 1) * (2 * k - 1) * (2 * k - 3)) * (k % 2 == 0 ? 1 : -1) + sum);
+  for (int k = std::fabs(b) < FLAT ? 3 : Lens_series::LAST_TERM; k >= 2; --k) sum = square * (LENS_SERIES.of[k] + sum);
   return b / 3 * (1 + sum);
 }
 [[nodiscard]] inline double length_share(double b) {

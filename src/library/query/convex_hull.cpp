@@ -13,7 +13,7 @@
 //   width: in whatever direction, no more than the pieces' chords and heights reach.
 
 #include "Hull_chain.h"
-#include "Hull_outline.h"
+#include "Hull_pieces.h"
 #include "query_units.h"
 
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
@@ -73,27 +73,6 @@ struct Polygon_width {
   double width = 0;
   Xy<double> along;  ///< the direction of the lines
 };
-[[nodiscard]] static Polygon_width width_of(const Convex_polygon& p) {
-  if (p.size() < 3) return {0, p.size() == 2 ? p[1] - p[0] : Xy<double>{1, 0}};
-  Polygon_width best{std::numeric_limits<double>::infinity(), {}};
-  double farthest = 0;
-  std::size_t last = p.size();
-  Xy<double> edge;
-  const auto finish = [&] {
-    if (last < p.size() && farthest < best.width) best = {farthest, edge};
-  };
-  for_each_antipode(p, [&](std::size_t i, std::size_t j) {
-    if (i != last) {
-      finish();
-      last = i;
-      farthest = 0;
-      edge = p[(i + 1) % p.size()] - p[i];
-    }
-    farthest = (std::max)(farthest, cross(edge, p[j] - p[i]) / euclidean_norm(edge));
-  });
-  finish();
-  return best;
-}
 
 /// The farthest corners of the polygon, and at least the diameter.
 struct Found_diameter {
@@ -157,13 +136,15 @@ class Width_search {
   [[nodiscard]] Polygon_width look_at_polygon() {
     const Convex_polygon& p = hull_.polygon();
     edges_.assign(p.size() < 3 ? 0 : p.size(), {0, 0});
-    if (p.size() >= 3)
-      for_each_antipode(p, [&](std::size_t i, std::size_t j) {
-        const Xy<double> edge = p[(i + 1) % p.size()] - p[i];
-        const double d = cross(edge, p[j] - p[i]) / euclidean_norm(edge);
-        if (d >= edges_[i].width) edges_[i] = {j, d};
-      });
-    return width_of(p);
+    if (edges_.empty()) return {0, p.size() == 2 ? p[1] - p[0] : Xy<double>{1, 0}};
+    const auto side = [&p](std::size_t i) { return p[(i + 1) % p.size()] - p[i]; };
+    for_each_antipode(p, [&](std::size_t i, std::size_t j) {
+      const double d = cross(side(i), p[j] - p[i]) / euclidean_norm(side(i));
+      if (d >= edges_[i].width) edges_[i] = {j, d};
+    });
+    const auto is_less = [](const Edge& a, const Edge& b) { return a.width < b.width; };
+    const auto least = std::min_element(edges_.begin(), edges_.end(), is_less);
+    return {least->width, side(static_cast<std::size_t>(least - edges_.begin()))};
   }
   // How far all pieces reach across a direction; those that reach beyond the polygon are marked.
   void look_along(const Xy<double>& along, double tolerance) {
