@@ -9,7 +9,7 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
-#include "../../../src/library/chain/slope_integral.h"
+#include "../../../src/study/slope_integral.h"
 
 #include <gtest/gtest.h>
 
