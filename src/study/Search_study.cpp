@@ -9,7 +9,6 @@
 #include "../library/query/Distance_search.h"
 #include "../library/query/Hausdorff_search.h"
 #include "../library/query/Intersection_search.h"
-#include "../library/query/Work_limit.h"
 #include "../library/query/query_units.h"
 #include "../library/tree/Segment_hierarchy.h"
 #include "least_seconds.h"

@@ -16,7 +16,7 @@
 #include "written/write_plain_svg.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include "../library/chain/slope_integral.h"
+#include "../study/slope_integral.h"
 
 #include <CLI/CLI.hpp>
 

@@ -9,7 +9,7 @@
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include "../../src/library/chain/slope_integral.h"
+#include "../../src/study/slope_integral.h"
 
 #include <gtest/gtest.h>
 

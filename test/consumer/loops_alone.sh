@@ -7,7 +7,7 @@
 set -euo pipefail
 # of all objects in the library those of the loops
 symbols=$("$1" --demangle "$2" | awk '/^$/ { loops = 0 } /^(arc|batch)_loops.*:$/ { loops = 1 } loops')
-for loop in bound_batch compiled_biarcs; do
+for loop in bound_batch fit_biarcs; do
   grep -q "$loop<.*Base_set" <<< "$symbols" || { echo "no $loop in $2"; exit 1; }
 done
 if grep ' [WV] ' <<< "$symbols" | grep -v '_set'; then

@@ -6,8 +6,7 @@
 
 #include "cases.h"
 #include "exact_curves.h"
-
-#include "../../src/library/query/exact_meetings.h"
+#include "ray_crossings.h"
 
 #include <cmath>
 

@@ -21,7 +21,7 @@
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 #include "../../src/library/query/Distance_search.h"
 #include "../../src/library/query/Hausdorff_search.h"
-#include "../../src/library/query/Work_limit.h"
+#include "../../src/library/query/query_units.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Bounding_arcs_2/study/Cost_study.h>
 #include <CGAL/Bounding_arcs_2/study/Verdict_grid.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
-#include "../../src/library/query/exact_intersections.h"
+#include "ray_crossings.h"
 
 #include <gtest/gtest.h>
 
@@ -135,7 +135,7 @@ int exact_location(const Xy<double>& q) {
   std::vector<Xy<NT>> points;
   const Curve curve = verdict_curve();
   for (const Xy<double>& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
-  const Ray_crossings crossings = exact_ray_crossings(Bezier_curve_2<NT>(points), Xy<NT>{NT(q.x), NT(q.y)});
+  const auto crossings = bounding_arcs_test::exact_ray_crossings(Bezier_curve_2<NT>(points), Xy<NT>{NT(q.x), NT(q.y)});
   return crossings.is_on ? 0 : (crossings.winding == 0 ? 1 : -1);
 }
 

@@ -15,7 +15,7 @@
 #include "../overlay/Exact_parameter.h"
 
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Arranged_curve.h>
-#include "../query/exact_meetings.h"
+#include "../query/exact_intersections.h"
 
 #include <array>
 #include <cstddef>

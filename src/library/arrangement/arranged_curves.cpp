@@ -13,7 +13,6 @@
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include "../polynomial/Interval_isolation.h"
 #include "../query/Intersection_search.h"
-#include "../query/line_pairs.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>

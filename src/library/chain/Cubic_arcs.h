@@ -11,8 +11,21 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #include <cmath>
+
+/// How fast what is put over a short piece of curve comes near to it:
+/// h^3 |dkappa/ds| times one of these is the measure of a short piece of length h; N*(eps) = (factor / eps)^(1/3) times
+/// slope_integral pieces is the least number as eps goes to 0.  Derived in doc/arcs.md.
+namespace CGAL::Bounding_arcs::cubic_factor {
+
+inline constexpr double BCA = 1 / 24.0, SPIRAL_FAT_ARC = 1 / 6.0, BILENS = 1 / 48.0;  // thickness
+inline constexpr double ARC = 1 / 124.70765814495915;                          // 72 sqrt(3): balanced arc, distance
+inline constexpr double BIARC = 1 / 324.0;                                     // balanced biarc, distance
+inline constexpr double ONE_SIDED_ARC = 2 / 81.0, ONE_SIDED_BIARC = 1 / 96.0;  // boundaries of BCA and bilens
+
+}  // namespace CGAL::Bounding_arcs::cubic_factor
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -196,6 +209,40 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
                           scale * (f3 + lambda * b3), turned * b4, turned * b5, turned * b6);
   const double distance = distance_from_height(range, 2 * turned, q.reach(h / 2) + size_of(c0), inverse, limit);
   return {lambda / (1 + secant), moves_forwards ? distance : HUGE_VAL};
+}
+
+/// Up to 64 pieces of spiral segments, of one or of many, and the arcs over them, in columns.  The loops are plain;
+/// compiled for wider registers (src/library/chain/arc_loops.cpp) they give the same bits, as each operation rounds by
+/// itself.
+struct Arc_columns {
+  static constexpr std::size_t SIZE = 64;
+  using Column = double[SIZE];
+
+  std::size_t count = 0;
+  // The segment: its curve is start + unit (c1 s + c2 s^2 + c3 s^3), s in [0, 1], but `end` at 1.
+  Column x1, y1, x2, y2, x3, y3, start_x, start_y, end_x, end_y, unit, inverse_unit;
+  Column limit;   ///< the largest distance asked for, in units
+  Column s0, s1;  ///< the piece
+  // The arcs; of balanced ones only the first.
+  Column from_x, from_y, joint_x, joint_y, to_x, to_y, joint, bulge0, bulge1;
+  Column distance0, distance1;  ///< in units, as in Fitted_arc
+};
+
+/// Biarcs over all pieces, and over what follows up to a multiple of 8, where nobody reads them; balanced arcs in the
+/// same way. Compiled for each instruction set (arc_loops.cpp).
+template <class Isa> void fit_biarcs(Arc_columns& columns);
+template <class Isa> void fit_balanced(Arc_columns& columns);
+
+using Arc_function = void (*)(Arc_columns&);
+
+/// The loops of one kind, for function_for.
+template <bool ARE_BIARCS> struct Fits_of_kind {
+  template <class Isa> [[nodiscard]] static Arc_function of() {
+    return ARE_BIARCS ? &fit_biarcs<Isa> : &fit_balanced<Isa>;
+  }
+};
+[[nodiscard]] inline Arc_function arc_function(bool are_biarcs, Instruction_set set) {
+  return are_biarcs ? function_for<Fits_of_kind<true>>(set) : function_for<Fits_of_kind<false>>(set);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -7,7 +7,6 @@
 #ifndef BOUNDING_ARCS_LIBRARY_CHAIN_SPIRAL_ARCS_H
 #define BOUNDING_ARCS_LIBRARY_CHAIN_SPIRAL_ARCS_H
 
-#include "Local_polynomial.h"
 #include "arc_deviation.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>

@@ -4,9 +4,9 @@
 //
 // Bodies of chain/arc_chain.h.
 
-#include "Arc_columns.h"
+#include "../arc/Arc_text.h"
+#include "Cubic_arcs.h"
 #include "Spiral_arcs.h"
-#include "cubic_factor.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
@@ -168,6 +168,12 @@ class Cubic_spiral_arcs {
 }  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
+
+std::ostream& operator<<(std::ostream& out, const Arc_chain& chain) {
+  Arc_text text(out);
+  for (const Arc_2& arc : chain.arcs) text << arc;
+  return out;
+}
 
 /// Makes the chain of many spiral segments. Most segments need few arcs, so that pieces of several are fitted at once.
 class Chain_builder {

@@ -8,7 +8,6 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OFFSET_OFFSET_RUN_H
 #define BOUNDING_ARCS_LIBRARY_OFFSET_OFFSET_RUN_H
 
-#include "Cover.h"
 #include "Raw_offset.h"
 #include "Tolerant_trimmer.h"
 #include "Trimmer.h"
@@ -17,7 +16,8 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include "../arc/arc_crossings.h"
 #include "../tree/Box_tree.h"
-#include "Offset_job.h"
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -152,16 +152,17 @@ inline void drop_covered(Raw_offset& raw, const Cover& cover, double depth) {
 
 class Offset_run {
  public:
-  Offset_run(const Source_arcs& sources, const Offset_job& job, double d)
-      : sources_(sources), job_(job), distance_(d), eps_((std::min)(job.eps, sources.least_eps())),
-        is_simple_(sources.is_simple() && job.side == Offset_side::BOTH) {
+  /// \param eps how near the offset is to be
+  Offset_run(const Source_arcs& sources, const Offset_options& options, double eps, double d)
+      : sources_(sources), options_(options), distance_(d), eps_asked_(eps), eps_((std::min)(eps, sources.least_eps())),
+        is_simple_(sources.is_simple() && options.side == Offset_side::BOTH) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
       if (is_thin(c)) is_simple_ = false;
-      has_closed_ = has_closed_ || (c.is_closed && job.side == Offset_side::BOTH);  // one side is that of a band
+      has_closed_ = has_closed_ || (c.is_closed && options.side == Offset_side::BOTH);  // one side is that of a band
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
-    is_round_ = job.join == Offset_join::ROUND && (job.cap == Offset_cap::ROUND || !has_open_);
+    is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);
     // normals of one curve may reach through another, beyond its side that is not offset
     if (!is_round_ && sources.curves.size() > 1) is_simple_ = false;
   }
@@ -186,31 +187,27 @@ class Offset_run {
     std::vector<CGAL::Bbox_2> boxes;
     for (const Source_curve& c : sources_.curves)
       boxes.emplace_back(c.box.xmin() - reach, c.box.ymin() - reach, c.box.xmax() + reach, c.box.ymax() + reach);
-    std::vector<std::uint32_t> first = all;  // of the group, over others of it
-    const auto first_of = [&](std::uint32_t i) {
-      while (first[i] != i) i = first[i] = first[first[i]];
-      return i;
-    };
+    boost::disjoint_sets_with_storage<> sets(count);
     for_each_overlap(Box_tree(boxes), [&](std::uint32_t i, std::uint32_t j) {
-      const auto [least, other] = std::minmax({first_of(i), first_of(j)});
-      first[other] = least;
+      sets.union_set(i, j);
       return true;
     });
     std::vector<std::vector<std::uint32_t>> groups;
-    std::vector<std::uint32_t> group_of(count);
+    std::vector<std::size_t> group_of(count, count);  // of sets, by the curve that stands for one
     for (const std::uint32_t i : all) {
-      if (first_of(i) == i) {
-        group_of[i] = static_cast<std::uint32_t>(groups.size());
+      std::size_t& group = group_of[sets.find_set(i)];
+      if (group == count) {
+        group = groups.size();
         groups.emplace_back();
       }
-      groups[group_of[first_of(i)]].push_back(i);
+      groups[group].push_back(i);
     }
     return groups;
   }
 
   void add_group(const std::vector<std::uint32_t>& group, Offset& offset) const {
     const double d = std::fabs(distance_), room = sources_.room(d);
-    Raw_builder builder(sources_, job_, snap(), is_round_);
+    Raw_builder builder(sources_, options_, snap(), is_round_);
     for (const std::uint32_t i : group) {
       const Source_curve& c = sources_.curves[i];
       if (!c.is_closed) builder.add_band(c, d);
@@ -222,7 +219,7 @@ class Offset_run {
     const double error = 4 * raw.gap + room;
     drop_covered(raw, cover, error);
     // edges of specks were moved as far as they are long, or cross where rounding decides
-    const bool has_lost_specks = eps_ < job_.eps && (error > eps_ || raw.has_backs);
+    const bool has_lost_specks = eps_ < eps_asked_ && (error > eps_ || raw.has_backs);
     if (!raw.has_normals && !raw.has_points && !has_lost_specks) {
       Trimmer trimmer(raw, cover, room);
       if (trimmer.trim()) return add_chains(wanted(std::move(trimmer).loops()), raw, error, offset);
@@ -240,7 +237,7 @@ class Offset_run {
       return cover.covers(q, -slack) || (has_one_side && is_inside(sources_.winding(q)) == (distance_ > 0));
     };
     for (const double share : Tolerant_trimmer<decltype(covers)>::REACHES) {
-      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * job_.eps), job_.side);
+      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * eps_asked_), options_.side);
       if (!trimmer.trim()) {
         offset.unresolved = trimmer.unresolved();
         continue;
@@ -260,7 +257,7 @@ class Offset_run {
     return OF_EPS * eps_;
   }
 
-  [[nodiscard]] bool is_inside(int winding) const { return is_filled(job_.rule, winding); }
+  [[nodiscard]] bool is_inside(int winding) const { return is_filled(options_.rule, winding); }
   // Which sides of a curve the offset may be on: of closed curves that do not cross, one.
   [[nodiscard]] Offset_sides sides_of(const Source_curve& c) const {
     if (!is_simple_ || !c.is_closed) return {true, true};
@@ -289,9 +286,9 @@ class Offset_run {
       const Chain_size size = size_of(chain.pieces);
       // thinner than that and it is not there at a distance within eps
       constexpr double VANISHES = 0x1p-4;
-      if (2 * std::fabs(size.area) <= VANISHES * job_.eps * size.length) continue;
-      if (!has_closed_ && job_.side != Offset_side::BOTH) {
-        add_one_side(loop, raw, sources_, job_.side, offset.chains);
+      if (2 * std::fabs(size.area) <= VANISHES * eps_asked_ * size.length) continue;
+      if (!has_closed_ && options_.side != Offset_side::BOTH) {
+        add_one_side(loop, raw, sources_, options_.side, offset.chains);
         continue;
       }
       chain.area = size.area;
@@ -301,9 +298,9 @@ class Offset_run {
   }
 
   const Source_arcs& sources_;
-  const Offset_job& job_;
-  std::vector<Offset_sides> sides_;  // of each curve
-  double distance_, eps_;
+  const Offset_options& options_;
+  std::vector<Offset_sides> sides_;    // of each curve
+  double distance_, eps_asked_, eps_;  // the latter also that of small curves
   bool is_simple_, is_round_ = true, has_open_ = false;
   bool has_closed_ = false;  // curves that enclose something
 };

@@ -6,7 +6,6 @@
 
 #include "Offset_run.h"
 #include "Offset_sources.h"
-#include "few_pieces.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
@@ -46,16 +45,26 @@ constexpr double OF_ARCS = 0.75;
   return size;
 }
 
-Offset_sources::Offset_sources(const Bounding_arc_tree_2& tree, const Offset_job& job)
-    : unit_(tree.unit()), job_(checked(job)) {
-  add_segments(tree.in_unit());
-  chain_error_ += OF_TINY_ARCS * job_.eps + unit_.in(tree.rounding());
+Offset_sources::Offset_sources(const Unit& unit, double eps, const Offset_options& options)
+    : unit_(unit), options_(options) {
+  if (!(eps > 0) || !std::isfinite(eps)) throw std::invalid_argument(expected("eps", "a finite number above 0", eps));
+  if (!(options.miter_limit >= 1))
+    throw std::invalid_argument(expected("miter limit", "a number of at least 1", options.miter_limit));
+  constexpr double MOST = 0x1p200;  // more is as much
+  eps_ = (std::min)(unit.tolerance_in(eps), MOST);
+}
+
+Offset_sources::Offset_sources(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options,
+                               bool drops_open)
+    : Offset_sources(tree.unit(), eps, options) {
+  add_segments(tree.in_unit(), drops_open);
+  chain_error_ += OF_TINY_ARCS * eps_ + unit_.in(tree.rounding());
   part_closed_and_open();
 }
 
 // Curves are made arcs of some hundred at a time: what arcs are fitted to takes ten times as much memory as what is
 // kept.
-void Offset_sources::add_segments(const Segment_hierarchy& segments) {
+void Offset_sources::add_segments(const Segment_hierarchy& segments, bool drops_open) {
   constexpr std::size_t AT_ONCE = 2048;  // Bezier pieces
   const auto& curves = segments.drawing().curves();
   const std::size_t pieces = segments.number_of_beziers();
@@ -63,7 +72,7 @@ void Offset_sources::add_segments(const Segment_hierarchy& segments) {
   for (std::size_t first = 0, last = 0; first < curves.size(); first = last) {
     std::size_t count = 0;
     while (last < curves.size() && count < AT_ONCE) count += curves[last++].beziers.size();
-    add_curves(segments, first, last);
+    add_curves(segments, first, last, drops_open);
     done += count;
     if (first == 0 && last < curves.size()) {  // as many as those of the first ones, and an eighth more
       const double arcs_of_each = static_cast<double>(all_.arcs.size()) / static_cast<double>(done);
@@ -72,10 +81,11 @@ void Offset_sources::add_segments(const Segment_hierarchy& segments) {
   }
 }
 
-void Offset_sources::add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last) {
+void Offset_sources::add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last,
+                                bool drops_open) {
   const auto& curves = segments.drawing().curves();
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(segments, segments.drawing(), first, last);
-  const Arc_chain chain = arc_chain(spirals, OF_ARCS * job_.eps);
+  const Arc_chain chain = arc_chain(spirals, OF_ARCS * eps_);
   chain_error_ = (std::max)(chain_error_, chain.error);
   is_resolved_ = is_resolved_ && chain.status == Build_status::COMPLETE;
   const auto arc_at = [&](std::size_t i) { return chain.arcs.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -87,7 +97,7 @@ void Offset_sources::add_curves(const Segment_hierarchy& segments, std::size_t f
         if (!segments.is_point(segments.number_of_bezier(i, j))) return false;
       return true;
     };
-    const bool is_left_out = job_.drops_open && (!curve.is_closed || is_point());
+    const bool is_left_out = drops_open && (!curve.is_closed || is_point());
     std::size_t end = begin;
     while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
     if (!is_left_out)
@@ -97,8 +107,8 @@ void Offset_sources::add_curves(const Segment_hierarchy& segments, std::size_t f
   }
 }
 
-Offset_sources::Offset_sources(const std::vector<Offset_chain>& chains, const Offset_job& job)
-    : unit_(Unit::of_size(coordinate_size(chains))), job_(checked(job)) {
+Offset_sources::Offset_sources(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options)
+    : Offset_sources(Unit::of_size(coordinate_size(chains)), eps, options) {
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
     std::vector<Chain_arc_2> arcs;
     for (const Offset_piece& p : chains[i].pieces) {
@@ -109,18 +119,8 @@ Offset_sources::Offset_sources(const std::vector<Offset_chain>& chains, const Of
     }
     if (!arcs.empty()) add_curve(arcs, {}, i, chains[i].is_closed, arcs.front().from);
   }
-  chain_error_ = OF_TINY_ARCS * job_.eps;
+  chain_error_ = OF_TINY_ARCS * eps_;
   part_closed_and_open();
-}
-
-Offset_job Offset_sources::checked(Offset_job job) const {
-  if (!(job.eps > 0) || !std::isfinite(job.eps))
-    throw std::invalid_argument(expected("eps", "a finite number above 0", job.eps));
-  if (!(job.miter_limit >= 1))
-    throw std::invalid_argument(expected("miter limit", "a number of at least 1", job.miter_limit));
-  constexpr double MOST = 0x1p200;  // more is as much
-  job.eps = (std::min)(unit_.tolerance_in(job.eps), MOST);
-  return job;
 }
 
 void Offset_sources::part_closed_and_open() {
@@ -140,7 +140,7 @@ void Offset_sources::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<
                                std::uint32_t curve, bool is_closed, const Xy<double>& start) {
   constexpr int TIMES = 4;
   constexpr double CLOSER = 0x1p-4;
-  double eps = job_.eps;
+  double eps = eps_;
   if (is_closed && !arcs.empty()) {
     CGAL::Bbox_2 box;
     for (const Chain_arc_2& a : arcs) box += CGAL::Bbox_2(a.from.x, a.from.y, a.from.x, a.from.y);
@@ -224,34 +224,34 @@ Offset Offset_sources::at(double d) const {
 Offset Offset_sources::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
-  offset.side = job_.side;
-  const auto run = [&](const Source_arcs& sources) { Offset_run(sources, job_, d).add_to(offset); };
-  if (d < 0 && has_closed_ && job_.side == Offset_side::BOTH) {
+  offset.side = options_.side;
+  const auto run = [&](const Source_arcs& sources) { Offset_run(sources, options_, eps_, d).add_to(offset); };
+  if (d < 0 && has_closed_ && options_.side == Offset_side::BOTH) {
     const Filled_outline& outline = filled();
     run(outline.has_walls() ? outline.chains() : closed());
     if (outline.has_walls()) offset.error += outline.error();
     note_unresolved(outline, offset);
     if (has_both_) run(open_);
-  } else if (has_both_ && job_.side != Offset_side::BOTH) {
+  } else if (has_both_ && options_.side != Offset_side::BOTH) {
     run(closed_);
     run(open_);
   } else {
     run(all_);
   }
   offset.error += chain_error_ + error;
-  make_few(offset, job_.eps, all_.room(d));
+  make_few(offset, eps_, all_.room(d));
   finish_status(offset);
   return offset;
 }
 
 void Offset_sources::finish_status(Offset& offset) const {
-  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= job_.eps))
+  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= eps_))
     offset.status = Offset_status::RESOLUTION_REACHED;
 }
 
 const Filled_outline& Offset_sources::filled() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!filled_) filled_.emplace(closed(), job_.rule, job_.eps);
+  if (!filled_) filled_.emplace(closed(), options_.rule, eps_);
   return *filled_;
 }
 
@@ -283,16 +283,16 @@ Offset Offset_sources::unmoved(const Source_arcs& sources, double error) const {
     offset.chains.push_back(std::move(chain));
   }
   nest(offset.chains, 0);
-  make_few(offset, job_.eps, sources.room(0));
+  make_few(offset, eps_, sources.room(0));
   return offset;
 }
 
 }  // namespace internal
 
 Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options)
-    : sources_(std::make_shared<const internal::Offset_sources>(tree, internal::offset_job(eps, options))) {}
+    : sources_(std::make_shared<const internal::Offset_sources>(tree, eps, options)) {}
 Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options)
-    : sources_(std::make_shared<const internal::Offset_sources>(chains, internal::offset_job(eps, options))) {}
+    : sources_(std::make_shared<const internal::Offset_sources>(chains, eps, options)) {}
 
 Offset Offset_source_2::at(double d) const { return sources_->at(d); }
 std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {

@@ -13,7 +13,6 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_RAW_OFFSET_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include "Offset_job.h"
 #include "Source_arcs.h"
 
 #include <array>
@@ -86,8 +85,8 @@ class Raw_builder {
  public:
   /// \param snap gaps up to that are closed without a join
   /// \param is_round all joins and caps are: else what is covered has sides along normals, and these are added
-  Raw_builder(const Source_arcs& sources, const Offset_job& job, double snap, bool is_round)
-      : sources_(sources), job_(job), is_round_(is_round), least_snap_(snap), snap_(snap) {}
+  Raw_builder(const Source_arcs& sources, const Offset_options& options, double snap, bool is_round)
+      : sources_(sources), options_(options), is_round_(is_round), least_snap_(snap), snap_(snap) {}
 
   /// What is d to the left of a closed curve, or to the right.
   void add_side(const Source_curve& c, bool is_right, double d) {
@@ -100,7 +99,7 @@ class Raw_builder {
   void add_band(const Source_curve& c, double d) {
     const Arc_2& first = sources_.arcs[c.begin].arc;
     const bool is_point = c.end == c.begin + 1 && first.from == first.to;
-    if (is_point && job_.cap == Offset_cap::BUTT) return;  // nothing has no length and no caps
+    if (is_point && options_.cap == Offset_cap::BUTT) return;  // nothing has no length and no caps
     path_.clear();
     for (std::uint32_t i = c.begin; i < c.end; ++i) path_.push_back(directed(i, false));
     for (std::uint32_t i = c.end; i > c.begin; --i) path_.push_back(directed(i - 1, true));
@@ -282,23 +281,23 @@ class Raw_builder {
     if (!is_round_) raw_.shapes.push_back(shape);
   }
   void add_join(const Xy<double>& vertex, const Directed& a, const Directed& b, const Xy<double>& end) {
-    const double c = 1 + dot(a.n1, b.n0), limit = job_.miter_limit;
-    if (job_.join == Offset_join::ROUND) return add_round(vertex, a, b.n0, end, Offset_kind::JOIN);
+    const double c = 1 + dot(a.n1, b.n0), limit = options_.miter_limit;
+    if (options_.join == Offset_join::ROUND) return add_round(vertex, a, b.n0, end, Offset_kind::JOIN);
     // the tip is sqrt(2 / c) times d away
-    if (job_.join == Offset_join::MITER && 2 <= limit * limit * c)
+    if (options_.join == Offset_join::MITER && 2 <= limit * limit * c)
       return add_segments(vertex, a, {vertex + (d_ / c) * (a.n1 + b.n0), end}, Offset_kind::JOIN);
     add_segments(vertex, a, {end}, Offset_kind::JOIN);
   }
   void add_cap(const Xy<double>& vertex, const Directed& a, const Xy<double>& end) {
-    if (job_.cap == Offset_cap::ROUND) return add_round(vertex, a, -a.n1, end, Offset_kind::CAP);
+    if (options_.cap == Offset_cap::ROUND) return add_round(vertex, a, -a.n1, end, Offset_kind::CAP);
     const Xy<double> on = d_ * Xy<double>{a.n1.y, -a.n1.x};
-    if (job_.cap == Offset_cap::BUTT) return add_segments(vertex, a, {end}, Offset_kind::CAP);
+    if (options_.cap == Offset_cap::BUTT) return add_segments(vertex, a, {end}, Offset_kind::CAP);
     add_segments(vertex, a, {last_ + on, end + on, end}, Offset_kind::CAP);
   }
 
   static constexpr double HALF_CIRCLE = 3.1415926535897932;
   const Source_arcs& sources_;
-  const Offset_job& job_;
+  const Offset_options& options_;
   bool is_round_;
   double least_snap_, snap_, d_ = 0;
   bool is_band_ = false, is_active_ = false, is_whole_ = false;

@@ -11,8 +11,8 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include "../arc/arc_crossings.h"
-#include "Arc_blocks.h"
-#include "Arc_rings.h"
+#include "../query/Lens.h"
+#include "Arc_boxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,13 +60,9 @@ struct Source_curve {
 /// Whether a curve is so thin that its tolerance decides which way it runs.
 [[nodiscard]] inline bool is_thin(const Source_curve& c) { return c.is_closed && thickness(c) <= c.eps; }
 
-/// The area between an arc and its chord, negative to the right: R^2 (a - sin a) / 2 for the turn a.
+/// The area between an arc and its chord, negative to the right.
 [[nodiscard]] inline double area_of_cap(const Arc_2& arc) {
-  const double b = arc.bulge, square = dot(arc.to - arc.from, arc.to - arc.from);
-  constexpr double FLAT = 0x1p-10;  // below, b |D|^2 / 3 is right to a part of b^4
-  if (std::fabs(b) < FLAT) return b * square / 3 * (1 + 0.4 * b * b);
-  const double turn = 4 * std::atan(b), radius = (1 + b * b) / (4 * b);
-  return square * radius * radius * (turn - std::sin(turn)) / 2;
+  return dot(arc.to - arc.from, arc.to - arc.from) * lens_share(arc.bulge);
 }
 
 class Source_arcs {

@@ -9,11 +9,9 @@
 //   A                       B, or before it: no farther than s is long, and w.  So |s| + 2 (8/5) w bounds all.
 //                           That is added to what B was moved by when it was led on before.
 
-#include "few_pieces.h"
-
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include "../arc/arc_crossings.h"
-#include "Arc_blocks.h"
+#include "Arc_boxes.h"
 #include "Raw_offset.h"
 #include "offset_chains.h"
 

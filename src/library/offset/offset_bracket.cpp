@@ -2,15 +2,26 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of offset/offset_bracket.h.
+// Bodies of offset/offset_bracket.h and offset/offset_series.h.
 
+#include "Offset_sources.h"
+
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_series.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
@@ -41,6 +52,71 @@ Offset sleeve(const Arc_region_2& region, double d, double eps) {
   add(outer.size == 1 ? region.to : outer.joint, region.from, -outer.bulges[0]);
   const double beside = eps / 2, widening = std::isfinite(region.widening) ? region.widening : 0;
   return Offset_source_2({boundary}, beside).at(d + widening + beside);
+}
+
+Bezier_curve_2<double> quadratic_of(const Arc_2& arc) { return arc_beziers(arc.from, arc.to, arc.bulge).front(); }
+
+Drawing_2<double> drawing_of(const Offset& offset) {
+  Drawing_2<double> drawing;
+  for (const Offset_chain& chain : offset.chains) {
+    std::vector<Bezier_curve_2<double>> beziers;
+    const auto finish = [&] {
+      if (!beziers.empty()) drawing.add(std::exchange(beziers, {}));
+    };
+    for (const Offset_piece& piece : chain.pieces) {
+      if (!piece.is_round) finish();
+      else
+        for (Bezier_curve_2<double>& part : arc_beziers(piece.arc.from, piece.arc.to, piece.arc.bulge))
+          beziers.push_back(std::move(part));
+    }
+    finish();
+  }
+  return drawing;
+}
+
+std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
+  const Bounding_arc_tree_2 chains(drawing_of(offset), Decisions::DOUBLE);
+  const double d = std::fabs(offset.distance);
+  const auto most = directed_hausdorff_distance(chains, curves, eps);
+  if (!most) return std::nullopt;
+  const auto least = distance(chains, curves, eps);
+  return Offset_error{{least->distance.lower - d, least->distance.upper - d},
+                      {most->distance.lower - d, most->distance.upper - d}};
+}
+
+std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps, const Offset_options& options) {
+  if (!(step > eps)) throw std::invalid_argument(expected("step", "a number above eps, " + text_of(eps), step));
+  const CGAL::Bbox_2 box = tree.box();
+  // bands, which points have, too, would never vanish
+  const internal::Offset_sources source(tree, eps, options, true);
+  const double largest = (std::min)(box.xmax() / 2 - box.xmin() / 2, box.ymax() / 2 - box.ymin() / 2);
+  std::vector<Offset> result;
+  for (double k = 1; k * step <= largest + eps; ++k) {
+    result.push_back(source.at(-k * step));
+    if (!result.back().chains.empty()) continue;
+    result.pop_back();
+    break;
+  }
+  return result;
+}
+
+Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
+                          const Offset_options& options) {
+  Offset_options of_chains = options;
+  of_chains.rule = Fill_rule::NONZERO;  // chains run as regions do
+  Offset_twice result;
+  result.first = offset(tree, first, eps / 2, options);
+  result.second = Offset_source_2(result.first.chains, eps / 2, of_chains).at(second);
+  result.second.status = (std::max)(result.first.status, result.second.status);
+  return result;
+}
+
+Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset_options& options) {
+  return offset_twice(tree, -radius, radius, eps, options).second;
+}
+
+Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset_options& options) {
+  return offset_twice(tree, radius, -radius, eps, options).second;
 }
 
 }  // namespace CGAL::Bounding_arcs

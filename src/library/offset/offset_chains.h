@@ -8,8 +8,8 @@
 #define BOUNDING_ARCS_LIBRARY_OFFSET_OFFSET_CHAINS_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include "Arc_rings.h"
-#include "Trimmer.h"
+#include "Arc_boxes.h"
+#include "Raw_offset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,5 +111,29 @@ inline void add_one_side(const Raw_loop& loop, const Raw_offset& raw, const Sour
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+// Offsets of few pieces: both functions replace pieces by an arc between the same two points. Its points are no farther
+// than some way from those that were there, so that the error of an offset grows by that. What was left of eps is not
+// exceeded.
+
+/// Lets neighbours on one circle or line be one piece, of at most half a circle: a whole circle is two. They are of one
+/// curve and one kind, and no other piece ends between them; a line and what leads it on in a miter or a square cap are
+/// one, too.
+/// \param room what rounding may move points by; pieces that are within 64 times that of one circle are on it
+/// \return how far points were moved at most
+/// \complexity linear in the pieces, but n log n for n pieces that become fewer
+[[nodiscard]] double put_together(Offset& offset, double most, double room);
+
+/// Leaves out pieces that are shorter than eps / 16, and less beside thin chains: a neighbour is led on instead, where
+/// that moves no point by more than `most` and nothing crosses.
+/// \return how far points were moved at most
+[[nodiscard]] double leave_out_short(Offset& offset, double eps, double most, double room);
+
+/// Does both, and adds what points were moved by to the error.
+void make_few(Offset& offset, double eps, double room);
+
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -15,8 +15,6 @@
 // the three distances bounds all. Pieces lead from one end to the other within that ring, so each point of the arc has
 // one of theirs beside it.
 
-#include "few_pieces.h"
-
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include "../arc/arc_crossings.h"
 #include "offset_chains.h"

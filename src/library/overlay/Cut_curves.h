@@ -17,7 +17,7 @@
 
 #include "Meeting_places.h"
 
-#include "../query/Curve_joints.h"
+#include "../query/join_intersections.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>

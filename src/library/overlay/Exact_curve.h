@@ -11,7 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include "../curve/Integer_piece.h"
-#include "../query/exact_crossings.h"
+#include "../query/exact_intersections.h"
 
 #include <optional>
 #include <vector>

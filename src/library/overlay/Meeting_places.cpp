@@ -7,7 +7,6 @@
 #include "Meeting_places.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include "../query/line_pairs.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <CGAL/FPU.h>

@@ -18,8 +18,8 @@
 #include "Exact_curve.h"
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
-#include "../query/Numbered_intersections.h"
-#include "../query/exact_meetings.h"
+#include "../query/exact_intersections.h"
+#include "../query/join_intersections.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <array>

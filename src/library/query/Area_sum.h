@@ -12,10 +12,13 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_AREA_SUM_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_AREA_SUM_H
 
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include "../curve/green.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Lens.h"
-#include "refine_sum.h"
+#include "query_units.h"
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,13 +55,6 @@ class Area_sum {
   [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
   /// What moments are about.
   [[nodiscard]] const Xy<double>& origin() const { return origin_; }
-
-  /// The longer side of the drawing's box.
-  [[nodiscard]] static double extent_of(const Segment_hierarchy& curves) {
-    if (curves.empty()) return 0;
-    const CGAL::Bbox_2& box = curves.boxes().box();
-    return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  }
 
  private:
   struct Lens_moments {
@@ -118,6 +114,54 @@ class Area_sum {
   Exact_moments exact_, least_, most_;
   Work_limit limit_;
 };
+
+/// 60 times the area between a piece and the segments from an origin to its ends.  With control points P_i seen from
+/// any origin the area of a piece of degree n is a sum over i < j of cross(P_i, P_j) with rational factors, which are
+/// those of twice the integral of B_i B_j' (Green).
+/// \pre a polynomial of degree at most 3
+[[nodiscard]] inline Double_double sixty_areas(const Bezier_curve_2<double>& curve, const Xy<double>& origin) {
+  // of (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3): 30 for a segment, 10 (2, 1, 2), 3 (6, 3, 1, 3, 3, 6)
+  static constexpr double FACTORS[3][3][4] = {
+      {{0, 30}}, {{0, 20, 10}, {0, 0, 20}}, {{0, 18, 9, 3}, {0, 0, 9, 9}, {0, 0, 0, 18}}};
+  boost::container::small_vector<Double_double, 4> x, y;
+  for (const Xy<double>& p : curve.control_points()) {
+    x.push_back(Double_double::two_sum(p.x, -origin.x));
+    y.push_back(Double_double::two_sum(p.y, -origin.y));
+  }
+  Double_double sum;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    Double_double to_x, to_y;
+    for (std::size_t j = i + 1; j < x.size(); ++j) {
+      const Double_double factor = FACTORS[x.size() - 2][i][j];
+      to_x = to_x + factor * x[j];
+      to_y = to_y + factor * y[j];
+    }
+    sum = sum + (x[i] * to_y - y[i] * to_x);
+  }
+  return sum;
+}
+
+/// The area inside closed polynomial curves in pairs of doubles.
+/// \return two neighbouring doubles with the exact area between them, or nothing where that is not told, as where it is
+///   a double itself, of rational curves, of high degrees and of numbers that are no doubles
+/// \pre closed curves
+[[nodiscard]] inline std::optional<Bracket> double_double_area(const Segment_hierarchy& curves) {
+  constexpr int MOST_DEGREE = 3;
+  Double_double sum;
+  const Xy<double> origin = curves.piece(0).first.point;
+  for (std::uint32_t b = 0; b < curves.number_of_beziers(); ++b) {
+    const Bezier_curve_2<double>& curve = curves.bezier(b);
+    if (curve.is_rational() || curve.degree() > MOST_DEGREE || curves.rounding(b) != 0) return std::nullopt;
+    sum = sum + sixty_areas(curve, origin);
+  }
+  const Double_double area = sum / Double_double(60);
+  // as hi + lo rounds to hi, the exact one is between it and a neighbour
+  const bool is_beyond = area.lo > 0;
+  const double beside = std::nextafter(area.hi, is_beyond ? HUGE_VAL : -HUGE_VAL);
+  const Double_double before = area - Double_double(area.hi), behind = Double_double(beside) - area;
+  if (!before.sign() || !behind.sign() || *before.sign() != *behind.sign() || *before.sign() == 0) return std::nullopt;
+  return is_beyond ? Bracket{area.hi, beside} : Bracket{beside, area.hi};
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Foot.h"
-#include "Work_limit.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -8,8 +8,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_COMMON_ZEROS_H
 
 #include "Fibre.h"
-#include "Fibre_root.h"
-#include "exact_meetings.h"
+#include "exact_intersections.h"
 
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include "../polynomial/Integer_polynomial.h"
@@ -34,7 +33,9 @@ struct Elimination {
 };
 
 /// Bezout's matrices at single places t, and the polynomials from the minors there.
-/// \source Bareiss 1968 for the minors, Newton's divided differences, which are integers at integer places
+/// \source Bareiss 1968 for the minors, Newton's divided differences, which are integers at integer places.
+///   CGAL's subresultants are these polynomials, too. They take as long for polynomial curves, but 10 to 28 times as
+///   long for rational ones, whose weights they do not divide by
 class Eliminator {
  public:
   /// \param divisor divides all entries of Bezout's matrix

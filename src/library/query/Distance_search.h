@@ -5,7 +5,7 @@
 // The search for the nearest points of two drawings.
 //
 // Pairs of boxes, then of regions leave out what is too far.  A pair of pieces that is left is done when distances
-// grow all along one of them, whose end then is nearest, or when the squared distance is convex (Piece_pair.h); else
+// grow all along one of them, whose end then is nearest, or when the squared distance is convex (see below); else
 // the longer one is halved, and its new end is looked for on the other, which keeps pairs of coincident pieces apart
 // from those that have something to tell.  Lower bounds of pairs of arcs are within a multiple of the cube of their
 // length, so that parallel curves, where nothing is convex, end at the cube root of the tolerance.
@@ -13,14 +13,12 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_DISTANCE_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_DISTANCE_SEARCH_H
 
-#include "Pair_newton.h"
-
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Closest_search.h"
 #include "Foot.h"
-#include "Work_limit.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <array>
@@ -125,6 +123,121 @@ class Pair_convexity {
   Side of_a_, of_b_;
 };
 
+/// One of two curves: where a step is in its range.
+class Newton_side {
+ public:
+  Newton_side(const Segment_hierarchy& curves, const Spiral_piece_2& piece)
+      : curve_(curves.evaluator(curves.bezier_of(piece.segment))),
+        rounding_(curves.rounding(curves.bezier_of(piece.segment))), first_(piece.first), last_(piece.last),
+        error(curves.error(piece.segment)), low_(piece.first.t), high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
+
+  void evaluate() {
+    jet = jet_of_piece(curve_, first_, last_, t);
+    speed = euclidean_norm(jet.first);
+    first_error_ = derivative_error(curve_, rounding_, t, jet);
+  }
+  /// \param way from the other curve's point
+  void look(const Xy<double>& way) {
+    slope = dot(way, jet.first);
+    rate = speed * speed + dot(way, jet.second);
+    is_pinned = (t == low_ && slope >= 0) || (t == high_ && slope <= 0);
+    noise = is_moving() ? euclidean_norm(way) * (first_error_ / least_speed() + 8 * HALF_ULP) : 0;
+  }
+  /// The amount by which f may fall along the curve per length at least; all is unknown where the curve has no
+  /// direction.
+  [[nodiscard]] double fall(double error_of_points) const {
+    return (is_pinned ? 0 : std::fabs(slope) / least_speed()) + noise + error_of_points;
+  }
+  [[nodiscard]] bool move(double by) {
+    const double before = t;
+    t = (std::min)((std::max)(t + by, low_), high_);
+    return t != before;
+  }
+  [[nodiscard]] double least_speed() const { return speed * ROUNDED_DOWN<8> - first_error_; }
+  [[nodiscard]] bool is_moving() const { return least_speed() > 0; }
+
+ private:
+  const Bezier_evaluator& curve_;
+  double rounding_, first_error_ = 0;
+  const Spiral_sample &first_, &last_;
+
+ public:
+  double error;
+
+ private:
+  double low_, high_;
+
+ public:
+  double t, speed = 0, slope = 0, rate = 0, noise = 0;
+  bool is_pinned = false;
+  Curve_jet jet;
+};
+
+/// The nearest points of two pieces over which the squared distance is strictly convex: Newton's steps, held in the
+/// rectangle of both parameters.
+///
+/// Where half the second derivatives by the arc lengths are at least m, f is at least f0 + 2 g.x + m |x|^2, and that is
+/// at least f0 - |g|^2 / m, where components of g by which no x in the rectangle makes f fall are left out: so the
+/// bracket does not hang on how well the steps converged.
+class Pair_newton {
+ public:
+  Pair_newton(const Segment_hierarchy& curves_a, const Spiral_piece_2& piece_a, const Segment_hierarchy& curves_b,
+              const Spiral_piece_2& piece_b)
+      : a(curves_a, piece_a), b(curves_b, piece_b) {
+    constexpr int MOST_STEPS = 40;
+    for (int step = 0; step < MOST_STEPS; ++step) {
+      look();
+      if (!a.is_moving() || !b.is_moving() || is_done() || !make_step()) return;
+    }
+    look();
+  }
+
+  /// Bounds of the least distance. \param least a positive number, at most the least eigenvalue
+  [[nodiscard]] Bracket bounds(double least) const {
+    const double error = a.error + b.error, room = error + 4 * HALF_ULP * distance;
+    if (!a.is_moving() || !b.is_moving()) return {0, distance + room};
+    const double fall_a = a.fall(error), fall_b = b.fall(error), square = distance * distance;
+    const double drop = (fall_a * fall_a + fall_b * fall_b) / least;
+    const double beside = drop < square ? drop / (distance + std::sqrt(square - drop)) : distance;
+    return {(std::max)(0.0, distance - beside * ROUNDED_UP<8> - room), distance + room};
+  }
+
+  Newton_side a, b;
+  double distance = 0;
+
+ private:
+  void look() {
+    a.evaluate();
+    b.evaluate();
+    const Xy<double> way = a.jet.point - b.jet.point;
+    a.look(way);
+    b.look(-way);
+    distance = euclidean_norm(way);
+  }
+  [[nodiscard]] bool is_done() const {
+    const auto is_zero = [&](const Newton_side& x) {
+      return x.is_pinned || std::fabs(x.slope) <= x.speed * (x.noise + a.error + b.error);
+    };
+    return is_zero(a) && is_zero(b);
+  }
+  [[nodiscard]] bool make_step() {
+    const double mixed = -dot(a.jet.first, b.jet.first), determinant = a.rate * b.rate - mixed * mixed;
+    double da = 0, db = 0;
+    if (!a.is_pinned && !b.is_pinned && a.rate > 0 && determinant > 0) {
+      da = (mixed * b.slope - b.rate * a.slope) / determinant;
+      db = (mixed * a.slope - a.rate * b.slope) / determinant;
+    } else {
+      const auto alone = [](const Newton_side& x) {
+        return x.is_pinned ? 0 : -x.slope / (x.rate > 0 ? x.rate : x.speed * x.speed);
+      };
+      da = alone(a);
+      db = alone(b);
+    }
+    const bool moves_a = a.move(da), moves_b = b.move(db);
+    return moves_a || moves_b;
+  }
+};
+
 }  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
@@ -138,12 +251,12 @@ template <class Curves = Segment_hierarchy> class Distance_search {
  public:
   /// \param eps how wide the bracket may be \param of_distance the same beside its upper bound: the larger counts
   Distance_search(const Curves& a, const Curves& b, double eps, double of_distance)
-      : a_(a), b_(b), eps_(eps), of_distance_(of_distance),
+      : curves_{&a, &b}, eps_(eps), of_distance_(of_distance),
         limit_(work_of_pairs(a.number_of_segments() + b.number_of_segments())) {}
 
   void search() {
-    if (a_.empty() || b_.empty()) return;
-    descend({&a_.boxes().root(), 0}, {&b_.boxes().root(), 0});
+    if (a().empty() || b().empty()) return;
+    descend({&a().boxes().root(), 0}, {&b().boxes().root(), 0});
   }
   [[nodiscard]] std::optional<Drawing_distance<>> result() const {
     if (!found_) return std::nullopt;
@@ -159,6 +272,9 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     Drawing_point<> a, b;
   };
   [[nodiscard]] double allowed() const { return (std::max)(eps_, of_distance_ * upper_); }
+
+  [[nodiscard]] const Curves& a() const { return *curves_[0]; }
+  [[nodiscard]] const Curves& b() const { return *curves_[1]; }
 
   // A node of boxes, or a segment where it is none.
   struct Place {
@@ -192,9 +308,9 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     std::size_t count = 0;
     const double most = most_square(upper_);
     for (std::size_t k = 0; k < size(p); ++k) {
-      const CGAL::Bbox_2 of_p = box(a_, p, k);
+      const CGAL::Bbox_2 of_p = box(a(), p, k);
       for (std::size_t l = 0; l < size(q); ++l) {
-        const double d = squared_distance(of_p, box(b_, q, l));
+        const double d = squared_distance(of_p, box(b(), q, l));
         ++pairs_;
         if (!(d <= most)) continue;
         std::size_t i = count++;  // nearer ones first
@@ -204,18 +320,18 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     }
     for (std::size_t i = 0; i < count && pairs[i].distance <= most_square(upper_); ++i) {
       if (found_ && !limit_.spend()) return leave_out(std::sqrt(pairs[i].distance) * ROUNDED_DOWN<8>);
-      descend(child(a_, p, pairs[i].k), child(b_, q, pairs[i].l));
+      descend(child(a(), p, pairs[i].k), child(b(), q, pairs[i].l));
     }
   }
 
   void look_at(std::uint32_t i, std::uint32_t j) {
-    const Piece p{a_.piece(i), a_.region(i)}, q{b_.piece(j), b_.region(j)};
+    const Piece p{a().piece(i), a().region(i)}, q{b().piece(j), b().region(j)};
     const double lower = lower_bound(p, q);
     if (lower < upper_) refine(p, q, lower);
   }
   [[nodiscard]] double lower_bound(const Piece& p, const Piece& q) {
     ++pairs_;
-    const double of_boxes = std::sqrt(squared_distance(a_.box(p.piece), b_.box(q.piece))) * ROUNDED_DOWN<8>;
+    const double of_boxes = std::sqrt(squared_distance(a().box(p.piece), b().box(q.piece))) * ROUNDED_DOWN<8>;
     return of_boxes >= upper_ ? of_boxes : (std::max)(of_boxes, least_distance(p.region, q.region));
   }
 
@@ -225,21 +341,18 @@ template <class Curves = Segment_hierarchy> class Distance_search {
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
 
   void refine(const Piece& p, const Piece& q, double lower) {
-    const double error_p = a_.error(p.piece.segment), error_q = b_.error(q.piece.segment), error = error_p + error_q;
+    const double error_p = a().error(p.piece.segment), error_q = b().error(q.piece.segment), error = error_p + error_q;
     if (is_close(lower, error)) return leave_out(lower);
     if (const int growth = internal::growth_along(p.piece, q.piece, error); growth != 0)
-      return finish_at_end_of_a(p, growth > 0 ? p.piece.first : p.piece.last, q);
+      return finish_at_end(0, p.piece, growth, q);
     if (const int growth = internal::growth_along(q.piece, p.piece, error); growth != 0)
-      return finish_at_end_of_b(q, growth > 0 ? q.piece.first : q.piece.last, p);
+      return finish_at_end(1, q.piece, growth, p);
     if (finish_convex(p, q)) return;
     if (!limit_.spend()) return give_up(p, q, lower);
     // where the longer one has no double between its ends, points of it are no nearer to each other than it is long:
     // halves of the other one tell no more
-    if (is_first_to_halve(p, q, upper_ - lower)) {
-      if (const auto parts = halves(a_, p.piece)) return refine_halves_of_a(*parts, p, q);
-    } else if (const auto parts = halves(b_, q.piece)) {
-      return refine_halves_of_b(*parts, p, q);
-    }
+    const std::size_t own = is_first_to_halve(p, q, upper_ - lower) ? 0 : 1;
+    if (const auto parts = halves(*curves_[own], (own == 0 ? p : q).piece)) return refine_halves(own, *parts, p, q);
     give_up(p, q, lower);
   }
   // The longer one is, as a rule. Where the widths of the regions are most of what the bracket misses, the wider one:
@@ -253,57 +366,45 @@ template <class Curves = Segment_hierarchy> class Distance_search {
   // Nothing more can be told of this pair, or nothing more is to be.
   void give_up(const Piece& p, const Piece& q, double lower) {
     leave_out(lower);
-    if (!found_ || !limit_.is_reached()) look_for_end_of_a(p.piece.segment, p.piece.first, q);
+    if (!found_ || !limit_.is_reached()) look_for_end(0, p.piece.segment, p.piece.first, q);
   }
-  void refine_halves_of_a(const Spiral_halves_2& h, const Piece& p, const Piece& q) {
-    look_for_end_of_a(p.piece.segment, h.first.last, q);
-    const Piece parts[2] = {{h.first, a_.region(h.first)}, {h.second, a_.region(h.second)}};
-    const double lower[2] = {lower_bound(parts[0], q), lower_bound(parts[1], q)};
+  void refine_halves(std::size_t own, const Spiral_halves_2& h, const Piece& p, const Piece& q) {
+    const Curves& curves = *curves_[own];
+    look_for_end(own, h.first.segment, h.first.last, own == 0 ? q : p);
+    const Piece parts[2] = {{h.first, curves.region(h.first)}, {h.second, curves.region(h.second)}};
+    const auto of_a = [&](std::size_t i) -> const Piece& { return own == 0 ? parts[i] : p; };
+    const auto of_b = [&](std::size_t i) -> const Piece& { return own == 0 ? q : parts[i]; };
+    const double lower[2] = {lower_bound(of_a(0), of_b(0)), lower_bound(of_a(1), of_b(1))};
     const std::size_t nearer = lower[1] < lower[0] ? 1 : 0;
     for (const std::size_t i : {nearer, 1 - nearer})
-      if (lower[i] < upper_) refine(parts[i], q, lower[i]);
-  }
-  void refine_halves_of_b(const Spiral_halves_2& h, const Piece& p, const Piece& q) {
-    look_for_end_of_b(q.piece.segment, h.first.last, p);
-    const Piece parts[2] = {{h.first, b_.region(h.first)}, {h.second, b_.region(h.second)}};
-    const double lower[2] = {lower_bound(p, parts[0]), lower_bound(p, parts[1])};
-    const std::size_t nearer = lower[1] < lower[0] ? 1 : 0;
-    for (const std::size_t i : {nearer, 1 - nearer})
-      if (lower[i] < upper_) refine(p, parts[i], lower[i]);
+      if (lower[i] < upper_) refine(of_a(i), of_b(i), lower[i]);
   }
 
-  // The nearest point of q to an end of p; the bracket of all pairs with that end.
-  double look_for_end_of_a(std::uint32_t segment, const Spiral_sample& end, const Piece& q) {
-    const double error = a_.error(segment);
-    Closest_search search(b_, end.point, upper_, limit_);
-    search.look_at(q.piece, q.region);
-    if (const auto r = search.result())
-      offer(r->distance.upper + error, {end.point, a_.place_at(segment, end.t)}, {r->point, r->place});
+  // The nearest point of a piece of the other drawing to an end of one of drawing `own`; a lower bound of all pairs
+  // with that end.
+  double look_for_end(std::size_t own, std::uint32_t segment, const Spiral_sample& end, const Piece& other) {
+    const double error = curves_[own]->error(segment);
+    Closest_search search(*curves_[1 - own], end.point, upper_, limit_);
+    search.look_at(other.piece, other.region);
+    if (const auto r = search.result()) {
+      const Drawing_point<> at{end.point, curves_[own]->place_at(segment, end.t)}, found{r->point, r->place};
+      offer(r->distance.upper + error, own == 0 ? at : found, own == 0 ? found : at);
+    }
     return search.lower() - error;
   }
-  double look_for_end_of_b(std::uint32_t segment, const Spiral_sample& end, const Piece& p) {
-    const double error = b_.error(segment);
-    Closest_search search(a_, end.point, upper_, limit_);
-    search.look_at(p.piece, p.region);
-    if (const auto r = search.result())
-      offer(r->distance.upper + error, {r->point, r->place}, {end.point, b_.place_at(segment, end.t)});
-    return search.lower() - error;
-  }
-  void finish_at_end_of_a(const Piece& p, const Spiral_sample& end, const Piece& q) {
-    leave_out((std::max)(0.0, look_for_end_of_a(p.piece.segment, end, q)));
-  }
-  void finish_at_end_of_b(const Piece& q, const Spiral_sample& end, const Piece& p) {
-    leave_out((std::max)(0.0, look_for_end_of_b(q.piece.segment, end, p)));
+  // No pair is nearer than those with an end of the first piece, the last one where distances fall along it.
+  void finish_at_end(std::size_t own, const Spiral_piece_2& piece, int growth, const Piece& other) {
+    leave_out((std::max)(0.0, look_for_end(own, piece.segment, growth > 0 ? piece.first : piece.last, other)));
   }
   // \return false if the pair may have several nearest points, or its bracket is too wide
   bool finish_convex(const Piece& p, const Piece& q) {
-    const double error_p = a_.error(p.piece.segment), error_q = b_.error(q.piece.segment);
+    const double error_p = a().error(p.piece.segment), error_q = b().error(q.piece.segment);
     const internal::Pair_convexity convexity(p.piece, q.piece, error_p, error_q);
     if (!(convexity.least > 0)) return false;
-    const internal::Pair_newton foot(a_, p.piece, b_, q.piece);
+    const internal::Pair_newton foot(a(), p.piece, b(), q.piece);
     const Bracket d = foot.bounds(convexity.least);
-    offer(d.upper, {foot.a.jet.point, a_.place_at(p.piece.segment, foot.a.t)},
-          {foot.b.jet.point, b_.place_at(q.piece.segment, foot.b.t)});
+    offer(d.upper, {foot.a.jet.point, a().place_at(p.piece.segment, foot.a.t)},
+          {foot.b.jet.point, b().place_at(q.piece.segment, foot.b.t)});
     if (!is_close(d.lower, error_p + error_q)) return false;
     leave_out(d.lower);
     return true;
@@ -314,7 +415,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     found_ = {a, b};
   }
 
-  const Curves &a_, &b_;
+  const Curves* curves_[2];  // a and b
   double eps_, of_distance_;
   double upper_ = std::numeric_limits<double>::infinity(), lower_ = std::numeric_limits<double>::infinity();
   std::optional<Found> found_;

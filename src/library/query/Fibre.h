@@ -9,7 +9,9 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_FIBRE_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_FIBRE_H
 
+#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include "../polynomial/Integer_polynomial.h"
+#include "../polynomial/Real_root.h"
 
 #include <CGAL/Exact_rational.h>
 
@@ -28,63 +30,26 @@ struct Fibre {
 
 /// c mod m for all coefficients c, times one positive integer for all of them.
 [[nodiscard]] inline Bivariate reduced(const Bivariate& p, const Univariate& m) {
-  int most = m.degree() - 1;
-  for (int j = 0; j <= p.degree(); ++j) most = (std::max)(most, coefficient(p, j).degree());
-  // Even powers of the leading coefficient are positive.
-  const int steps = most - m.degree() + 1, even = steps + steps % 2;
-  const Integer leading(m.lcoeff());
-  std::vector<Univariate> c;
-  for (int j = 0; j <= p.degree(); ++j) {
-    const Univariate q = coefficient(p, j);
-    std::vector<Integer> r(q.begin(), q.end());
-    for (int step = 0; step < even; ++step) {
-      const std::size_t d = static_cast<std::size_t>(m.degree());
-      const bool is_long = r.size() > d;
-      const Integer top = is_long ? r.back() : Integer(0);
-      if (is_long) r.pop_back();
-      for (Integer& x : r) x *= leading;
-      if (!is_long) continue;
-      for (std::size_t i = 0; i < d; ++i) r[r.size() - d + i] -= top * m[static_cast<unsigned>(i)];
-    }
-    c.push_back(polynomial(r));
+  const auto steps_of = [&m](const Univariate& c) { return (std::max)(0, c.degree() - m.degree() + 1); };
+  int most = 0;
+  for (const Univariate& c : p) most = (std::max)(most, steps_of(c));
+  const int even = most + most % 2;  // even powers of the leading coefficient are positive
+  std::vector<Univariate> rest;
+  for (const Univariate& c : p) {
+    Univariate q, r;
+    Integer factor;  // the leading coefficient to the power of the steps
+    Univariate::pseudo_division(c, m, q, r, factor);
+    rest.push_back(r * CGAL::ipower(Integer(m.lcoeff()), even - steps_of(c)));
   }
-  return primitive_part(polynomial(c));
+  return primitive_part(polynomial(rest));
 }
 
 /// u with u c = D mod m for an integer D > 0. \pre c and m are coprime, m is not constant
 [[nodiscard]] inline Univariate inverse(const Univariate& c, const Univariate& m) {
-  using Rational_polynomial = CGAL::Polynomial<Exact_rational>;
-  const auto over_rationals = [](const Univariate& p) {
-    std::vector<Exact_rational> r;
-    for (int i = 0; i <= p.degree(); ++i) r.push_back(Exact_rational(coefficient(p, i)));
-    return polynomial(r);
-  };
-  Rational_polynomial r0 = over_rationals(m), r1 = over_rationals(c), u0(Exact_rational(0)), u1(Exact_rational(1));
-  while (r1.degree() > 0) {
-    Rational_polynomial q, r;
-    Rational_polynomial::euclidean_division(r0, r1, q, r);
-    const Rational_polynomial u = u0 - q * u1;
-    const Exact_rational scale = Exact_rational(1) / r.lcoeff();
-    r0 = std::exchange(r1, r * scale);
-    u0 = std::exchange(u1, u * scale);
-  }
-  const Exact_rational value(r1.lcoeff());
-  Integer denominator(1);
-  using Traits = CGAL::Fraction_traits<Exact_rational>;
-  const auto fraction = [](const Exact_rational& x) {
-    std::pair<Integer, Integer> f;
-    typename Traits::Decompose()(x, f.first, f.second);
-    return f;
-  };
-  std::vector<Exact_rational> quotients;
-  for (int i = 0; i <= u1.degree(); ++i) {
-    quotients.push_back(coefficient(u1, i) / value);
-    const Integer d = fraction(quotients.back()).second;
-    denominator = CGAL::integral_division(denominator, CGAL::gcd(denominator, d)) * d;
-  }
-  std::vector<Integer> integers;
-  for (const Exact_rational& x : quotients) integers.push_back(fraction(x * Exact_rational(denominator)).first);
-  return polynomial(integers);
+  Univariate u, of_m;
+  Integer d;
+  static_cast<void>(CGAL::pseudo_gcdex(c, m, u, of_m, d));
+  return CGAL::sign(d) == CGAL::NEGATIVE ? Univariate(-u) : u;
 }
 
 /// Reduces h and makes its leading coefficient a positive integer; or tells a factor of m over which h has another
@@ -108,23 +73,11 @@ struct Fibre {
 struct Division {
   Bivariate quotient, remainder;
 };
-[[nodiscard]] inline Division divided(Bivariate f, const Bivariate& g, const Univariate& m) {
-  const Integer leading(g.lcoeff().lcoeff());
-  std::vector<Univariate> q(static_cast<std::size_t>((std::max)(0, f.degree() - g.degree() + 1)),
-                            Univariate(Integer(0)));
-  std::vector<Univariate> r(f.begin(), f.end());
-  for (int j = f.degree() - g.degree(); j >= 0; --j) {
-    const Univariate top = r.back();
-    r.pop_back();
-    for (Univariate& c : r) c = c * leading;
-    for (Univariate& c : q) c = c * leading;
-    q[static_cast<std::size_t>(j)] = top;
-    for (int i = 0; i < g.degree(); ++i) {
-      Univariate& c = r[static_cast<std::size_t>(j + i)];
-      c = c - top * coefficient(g, i);
-    }
-  }
-  return {reduced(polynomial(q), m), reduced(polynomial(r), m)};
+[[nodiscard]] inline Division divided(const Bivariate& f, const Bivariate& g, const Univariate& m) {
+  Division result;
+  Univariate factor;
+  Bivariate::pseudo_division(f, g, result.quotient, result.remainder, factor);
+  return {reduced(result.quotient, m), reduced(result.remainder, m)};
 }
 
 /// For the roots of m, split as needed, the greatest common divisor of f and g in s.
@@ -181,6 +134,96 @@ struct Fibre_parts {
   }
   return once;
 }
+
+/// One root s of a fibre over a real root t: a polynomial in s whose coefficients are algebraic numbers.
+/// Invariant: a dyadic number that is the root, or an open dyadic interval with no other root in it.
+class Fibre_root {
+ public:
+  Fibre_root(std::shared_ptr<Real_root> t, std::shared_ptr<const Bivariate> h, Integer num, int k, int sign)
+      : t_(std::move(t)), h_(std::move(h)), num_(std::move(num)), k_(k), sign_(sign) {}
+
+  [[nodiscard]] bool is_dyadic() const { return sign_ == 0; }
+  [[nodiscard]] Real_root dyadic() const { return {num_, k_}; }
+  [[nodiscard]] Exact_rational lower() const { return Exact_rational(num_) / Exact_rational(power_of_two(k_)); }
+  [[nodiscard]] Exact_rational upper() const {
+    return is_dyadic() ? lower() : Exact_rational(Integer(num_ + 1)) / Exact_rational(power_of_two(k_));
+  }
+
+  void refine() {
+    if (is_dyadic()) return;
+    num_ = num_ * 2 + 1;
+    const int s = t_->sign_of(at_dyadic(*h_, num_, ++k_));
+    if (s == 0) sign_ = 0;
+    if (s * sign_ < 0) num_ = num_ - 1;
+  }
+  [[nodiscard]] Bracket range() {
+    for (;; refine()) {
+      const mpfr_prec_t bits = k_ + 64;
+      const Bracket r = range_of(joined(Mpfr_interval(lower(), bits), Mpfr_interval(upper(), bits)));
+      if (is_dyadic() || (is_narrow(r) && r.lower < r.upper)) return r;
+    }
+  }
+  /// Whether it is greater than another number. \pre it does not equal that
+  [[nodiscard]] bool is_greater(Real_root& other) {
+    for (;; refine(), other.refine()) {
+      if (lower() >= other.upper()) return true;
+      if (upper() <= other.lower()) return false;
+    }
+  }
+
+ private:
+  std::shared_ptr<Real_root> t_;
+  std::shared_ptr<const Bivariate> h_;
+  Integer num_;
+  int k_, sign_;  // the sign of h right after the lower end, 0 when that is the root
+};
+
+/// The roots in [0,1] over one real root t. \pre none is multiple
+class Fibre_isolation {
+ public:
+  Fibre_isolation(const Real_root& t, const Bivariate& h)
+      : t_(std::make_shared<Real_root>(t)), h_(std::make_shared<const Bivariate>(h)) {
+    const Bivariate by_t = transposed(h);
+    Rows rows;
+    for (int i = 0; i <= by_t.degree(); ++i) rows.push_back(to_bernstein(coefficient(by_t, i), h.degree()));
+    if (sign(rows, 0) == 0) add(Integer(0), 0, 0);
+    if (sign(rows, static_cast<std::size_t>(h.degree())) == 0) add(Integer(1), 0, 0);
+    isolate(rows, Integer(0), 0);
+  }
+  [[nodiscard]] std::vector<Fibre_root> roots() && { return std::move(roots_); }
+
+ private:
+  using Bernstein = Bernstein_polynomial<Integer>;
+  using Rows = std::vector<Bernstein>;  // by powers of t
+
+  void add(const Integer& num, int k, int sign) { roots_.emplace_back(t_, h_, num, k, sign); }
+  int sign(const Rows& rows, std::size_t j) {
+    std::vector<Integer> c;
+    for (const Bernstein& row : rows) c.push_back(row.scaled_coefficients()[j]);
+    return t_->sign_of(polynomial(c));
+  }
+  void isolate(const Rows& rows, const Integer& num, int k) {
+    Sign_variations v;
+    for (std::size_t j = 0; j < rows.front().scaled_coefficients().size(); ++j)
+      if (const int s = sign(rows, j)) v.append(s);
+    if (v.most() == 0) return;
+    if (v.most() == 1) return add(num, k, v.first);
+    Rows left, right;
+    for (const Bernstein& row : rows) {
+      auto halves = row.halves();
+      left.push_back(std::move(halves.first));
+      right.push_back(std::move(halves.second));
+    }
+    const Integer first = num * 2, second = first + 1;
+    if (sign(right, 0) == 0) add(second, k + 1, 0);
+    isolate(left, first, k + 1);
+    isolate(right, second, k + 1);
+  }
+
+  std::shared_ptr<Real_root> t_;
+  std::shared_ptr<const Bivariate> h_;
+  std::vector<Fibre_root> roots_;
+};
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -12,13 +12,14 @@
 #include "../tree/Segment_hierarchy.h"
 #include "Closest_search.h"
 #include "Farthest_bound.h"
-#include "Work_limit.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <queue>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -40,9 +41,8 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
   void search() {
     add_boxes(a_.boxes().root());
     while (!nodes_.empty()) {
-      std::pop_heap(nodes_.begin(), nodes_.end());
-      const Node node = nodes_.back();
-      nodes_.pop_back();
+      const Node node = nodes_.top();
+      nodes_.pop();
       const bool is_enough = node.upper <= lower_ + (seen_.empty() ? 0 : tolerance_) && is_started();
       if (is_enough || is_settled(node)) upper_ = (std::max)(upper_, node.upper);
       if (is_enough) return;
@@ -91,9 +91,7 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
   // Whether there is something to compare with: a point, where all is less than a positive number of no interest.
   [[nodiscard]] bool is_started() const { return lower_ > 0 || !seen_.empty(); }
   void add(const Node& node) {
-    if (!(node.upper > lower_) && is_started()) return;
-    nodes_.push_back(node);
-    std::push_heap(nodes_.begin(), nodes_.end());
+    if (node.upper > lower_ || !is_started()) nodes_.push(node);
   }
   // All of a box is within half its diagonal of the middle.
   void add_boxes(const Box_tree::Node& node) {
@@ -194,7 +192,7 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
 
   const Curves &a_, &b_;
   double tolerance_, lower_, upper_ = 0;
-  std::vector<Node> nodes_;
+  std::priority_queue<Node> nodes_;
   std::vector<Seen> seen_;
   std::uint32_t farthest_ = NONE;
   std::size_t middles_ = 0;

@@ -16,7 +16,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_HULL_CHAIN_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_HULL_CHAIN_H
 
-#include "Hull_samples.h"
+#include "Hull_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,9 +42,8 @@ struct Hull_link {
 
 class Hull_chain {
  public:
-  /// \param p a convex polygon whose corners are ends of pieces
-  Hull_chain(const Segment_hierarchy& curves, const Convex_polygon& p, const std::vector<Spiral_piece_2>& pieces)
-      : curves_(curves), pieces_(pieces) {
+  explicit Hull_chain(const Hull_pieces& hull) : curves_(hull.curves()), parts_(hull.parts()) {
+    const Convex_polygon& p = hull.polygon();
     list_ends();
     if (p.size() == 1) {
       const Hull_point only = end_at(ends_.front());
@@ -69,9 +68,9 @@ class Hull_chain {
   [[nodiscard]] static std::tuple<double, double> key(const Xy<double>& p) { return {p.x, p.y}; }
 
   void list_ends() {
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      ends_.push_back({pieces_[i].first.point, i, false});
-      ends_.push_back({pieces_[i].last.point, i, true});
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+      ends_.push_back({parts_[i].piece.first.point, i, false});
+      ends_.push_back({parts_[i].piece.last.point, i, true});
     }
     std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
       return std::tuple(key(a.point), a.piece, a.is_last) < std::tuple(key(b.point), b.piece, b.is_last);
@@ -84,7 +83,7 @@ class Hull_chain {
       f(*i);
   }
   [[nodiscard]] Hull_point end_at(const End& e) const {
-    const Spiral_piece_2& p = pieces_[e.piece];
+    const Spiral_piece_2& p = parts_[e.piece].piece;
     return {p.segment, e.is_last ? p.last.t : p.first.t, e.point};
   }
 
@@ -92,10 +91,10 @@ class Hull_chain {
     Hull_link result;
     double most = 0;  // of several pieces over an edge the one that is farthest out
     for_each_end(u, [&](const End& e) {
-      const Spiral_piece_2& p = pieces_[e.piece];
+      const Spiral_piece_2& p = parts_[e.piece].piece;
       result.from = result.is_curve ? result.from : end_at(e);
       if (!((e.is_last ? p.first : p.last).point == v)) return;
-      const double bulge = (e.is_last ? -1 : 1) * curves_.region(p).arc.bulge;
+      const double bulge = (e.is_last ? -1 : 1) * parts_[e.piece].fat.arc.bulge;
       if ((bulge < 0 && !curves_.is_straight(p.segment)) || (result.is_curve && !(bulge > most))) return;
       most = bulge;
       result.is_curve = true;
@@ -123,7 +122,7 @@ class Hull_chain {
   [[nodiscard]] Hull_point farthest(const Xy<double>& p, const Hull_point& best, const Xy<double>& n) const {
     Hull_point result = best;
     for_each_end(p, [&](const End& e) {
-      const Hull_point q = farthest(pieces_[e.piece], n);
+      const Hull_point q = farthest(parts_[e.piece].piece, n);
       if (dot(n, q.point - result.point) > 0) result = q;
     });
     return result;
@@ -235,7 +234,7 @@ class Hull_chain {
   }
 
   const Segment_hierarchy& curves_;
-  const std::vector<Spiral_piece_2>& pieces_;
+  const std::vector<Hull_pieces::Part>& parts_;
   std::vector<End> ends_;
   std::vector<Hull_link> links_, of_samples_;  // the latter before ends of bitangents are moved
 };

@@ -16,26 +16,36 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include "../tree/Segment_hierarchy.h"
+#include "query_units.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// The factors of the series above, by k; a table, as quotients are not made while it is compiled where rounding
+/// counts.
+struct Lens_series {
+  static constexpr int LAST_TERM = 10;
+  double of[LAST_TERM + 1] = {};
+  constexpr Lens_series() {
+    for (int k = 2; k <= LAST_TERM; ++k) of[k] = (k % 2 == 0 ? 3.0 : -3.0) / ((2 * k + 1) * (2 * k - 1) * (2 * k - 3));
+  }
+};
+inline constexpr Lens_series LENS_SERIES;
+
 /// A / L^2.
 /// \guarantee within 100 u of itself: the series errs by its first term left out, 2^-51 of itself, and 20 roundings;
 ///   the other form has differences that are at least b^2 of what they are made of, which multiplies 6 roundings by 16
 [[nodiscard]] inline double lens_share(double b) {
-  constexpr double SERIES = 0.25;
-  constexpr int LAST_TERM = 10;
+  constexpr double SERIES = 0.25, FLAT = 0x1p-10;  // below that, b^6 is nothing beside 1
   const double square = b * b;
   if (std::fabs(b) > SERIES) {
     const double m = 1 + square;
     return (m * m * std::atan(b) - b * (1 - square)) / (8 * square);
   }
   double sum = 0;
-  for (int k = LAST_TERM; k >= 2; --k)
-    sum = square * (3.0 / ((2 * k + 1) * (2 * k - 1) * (2 * k - 3)) * (k % 2 == 0 ? 1 : -1) + sum);
+  for (int k = std::fabs(b) < FLAT ? 3 : Lens_series::LAST_TERM; k >= 2; --k) sum = square * (LENS_SERIES.of[k] + sum);
   return b / 3 * (1 + sum);
 }
 [[nodiscard]] inline double length_share(double b) {
@@ -98,6 +108,54 @@ struct Lens {
             (std::min)(low * length_share(most), high) * UP + 4 * error};
   }
 };
+
+/// What a piece leaves open of a sum.
+struct Open_part {
+  double width = 0;
+  bool is_final = true;  ///< halving does not help
+};
+
+/// Returns pieces of a drawing fine enough for a sum over them: the one that leaves most open is halved, until all
+/// together leave open no more than a tolerance, or halving does not help, or there are as many as a limit allows.
+/// \param open gives the Open_part of a piece
+/// \param limit of halvings; where it is reached the rest stays as it is
+/// \return the pieces in any order
+template <class Open>
+[[nodiscard]] std::vector<Spiral_piece_2> refine_sum(const Segment_hierarchy& curves,
+                                                     const std::vector<Spiral_piece_2>& pieces, double tolerance,
+                                                     const Open& open, Work_limit& limit) {
+  struct Entry {
+    Open_part open;
+    Spiral_piece_2 piece;
+  };
+  const auto is_less = [](const Entry& a, const Entry& b) { return a.open.width < b.open.width; };
+  std::vector<Spiral_piece_2> done;
+  std::vector<Entry> heap;
+  double sum = 0;
+  heap.reserve(pieces.size());
+  for (const Spiral_piece_2& p : pieces) heap.push_back({open(p), p});
+  for (const Entry& e : heap) sum += e.open.width;
+  std::make_heap(heap.begin(), heap.end(), is_less);
+  while (!heap.empty() && !(sum <= tolerance)) {
+    if (!heap.front().open.is_final && !limit.spend()) break;
+    std::pop_heap(heap.begin(), heap.end(), is_less);
+    const Entry widest = heap.back();
+    heap.pop_back();
+    const auto middle = widest.open.is_final ? std::optional<Spiral_halves_2>() : halves(curves, widest.piece);
+    if (!middle) {
+      done.push_back(widest.piece);
+      continue;
+    }
+    const Entry parts[2] = {{open(middle->first), middle->first}, {open(middle->second), middle->second}};
+    sum += (parts[0].open.width + parts[1].open.width) - widest.open.width;
+    for (const Entry& e : parts) {
+      heap.push_back(e);
+      std::push_heap(heap.begin(), heap.end(), is_less);
+    }
+  }
+  for (const Entry& e : heap) done.push_back(e.piece);
+  return done;
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -16,7 +16,7 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include "../polynomial/Real_root.h"
-#include "Fibre_root.h"
+#include "Fibre.h"
 
 #include <cstddef>
 #include <stdexcept>

@@ -22,7 +22,7 @@
 #include <CGAL/Bounding_arcs_2/query/Winding_number.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include "../tree/Segment_hierarchy.h"
-#include "exact_crossings.h"
+#include "exact_intersections.h"
 
 #include <CGAL/number_utils.h>
 
@@ -59,10 +59,7 @@ class Winding_search {
   /// \param error how far the piece's computed points may be from the exact curve's
   [[nodiscard]] int crossings_of(const Spiral_piece_2& piece, double error) {
     const int before = number_;
-    if (const CGAL::Bbox_2 box = curves_.box(piece, error); may_meet(box)) {
-      if (is_left_of(box.xmin())) number_ += rise(piece);
-      else look_at(piece, fat_arc(piece, error), error);
-    }
+    count(piece, error);
     return number_ - before;
   }
 
@@ -86,6 +83,12 @@ class Winding_search {
     return static_cast<int>(is_below(p.first.point.y)) - static_cast<int>(is_below(p.last.point.y));
   }
 
+  void count(const Spiral_piece_2& piece, double error) {
+    const CGAL::Bbox_2 box = curves_.box(piece, error);
+    if (!may_meet(box)) return;
+    if (is_left_of(box.xmin())) number_ += rise(piece);
+    else look_at(piece, fat_arc(piece, error), error);
+  }
   // q may be in the box.
   void look_at(const Spiral_piece_2& piece, const Fat_arc_2& fat, double error) {
     if (const std::optional<int> crossings = beside(piece, fat, error)) {
@@ -97,12 +100,8 @@ class Winding_search {
     const auto middle =
         is_short || fat.radius <= THIN * error ? std::optional<Spiral_halves_2>() : halves(curves_, piece);
     if (!middle) return decide(piece);
-    for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
-      const CGAL::Bbox_2 box = curves_.box(*half, error);
-      if (!may_meet(box)) continue;
-      if (is_left_of(box.xmin())) number_ += rise(*half);
-      else look_at(*half, fat_arc(*half, error), error);
-    }
+    count(middle->first, error);
+    count(middle->second, error);
   }
 
   // Chord and arc as the way.  Its ends are doubles, so nothing is moved but the curve within the fat arc; the chord

@@ -5,12 +5,10 @@
 // Bodies of query/enclosing_circle.h.
 
 #include "Farthest_bound.h"
-#include "Hull_samples.h"
+#include "Hull_pieces.h"
 #include "query_units.h"
 
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include "../tree/Segment_hierarchy.h"
-#include "Work_limit.h"
 
 #include <CGAL/Min_sphere_of_points_d_traits_2.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
@@ -37,22 +35,21 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Circle_search {
  public:
-  /// \param is_fine whether bounds of farthest points shall be worth more time
-  Circle_search(const Segment_hierarchy& curves, const Hull_samples& samples, double tolerance, bool is_fine)
-      : curves_(curves), is_fine_(is_fine), pieces_(samples.pieces()), error_(samples.error()),
-        limit_(most_pieces(curves.number_of_segments())) {
-    points_ = samples.polygon();
-    inner_height_ = error_;  // what was left out is inside the polygon but for that
+  Circle_search(const Segment_hierarchy& curves, double tolerance) : hull_(curves) {
+    constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more
+    hull_.lower(ROUGH * extent_of(curves));
+    const auto is_outside = [this](const Xy<double>& q) { return euclidean_norm(q - center_) > lower_; };
     do {
       enclose();
-    } while (refine(tolerance));
+      bound(tolerance);
+    } while (hull_.halve_marked(is_outside));
   }
 
   [[nodiscard]] const Xy<double>& center() const { return center_; }
   [[nodiscard]] double lower() const { return lower_; }
   [[nodiscard]] double upper() const { return upper_; }
   /// Whether pieces were left as they were, as there were too many.
-  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
+  [[nodiscard]] bool is_limited() const { return hull_.is_limited(); }
 
  private:
   // Seen from the first point, so that coordinates far from the origin lose nothing.
@@ -60,8 +57,8 @@ class Circle_search {
     using Kernel = CGAL::Simple_cartesian<double>;
     using Traits = CGAL::Min_sphere_of_points_d_traits_2<Kernel, double>;
     std::vector<Kernel::Point_2> points;
-    const Xy<double> o = points_.front();
-    for (const Xy<double>& p : points_) points.emplace_back(p.x - o.x, p.y - o.y);
+    const Xy<double> o = hull_.polygon().front();
+    for (const Xy<double>& p : hull_.polygon()) points.emplace_back(p.x - o.x, p.y - o.y);
     CGAL::Min_sphere_of_spheres_d<Traits> sphere(points.begin(), points.end());
     const auto* c = sphere.center_cartesian_begin();
     center_ = o + Xy<double>{c[0], c[1]};
@@ -70,7 +67,7 @@ class Circle_search {
       support.push_back(o + Xy<double>{(*i).x(), (*i).y()});
     lower_ = (std::max)(lower_, radius_of(support));
     farthest_ = 0;
-    for (const Xy<double>& p : points_) farthest_ = (std::max)(farthest_, euclidean_norm(p - center_));
+    for (const Xy<double>& p : hull_.polygon()) farthest_ = (std::max)(farthest_, euclidean_norm(p - center_));
   }
 
   // The bound above, with the center's barycentric coordinates for weights.
@@ -94,72 +91,44 @@ class Circle_search {
     }
     // weights with the sum 1 + 6 u, differences, squares and sums: 32 u size^2; samples are within the error of curves
     const double least = square - dot(mean, mean) - 32 * HALF_ULP * size * size;
-    return (std::max)(0.0, std::sqrt((std::max)(0.0, least)) * ROUNDED_DOWN<2> - error_);
+    return (std::max)(0.0, std::sqrt((std::max)(0.0, least)) * ROUNDED_DOWN<2> - hull_.error());
   }
   [[nodiscard]] static double turn(const std::vector<Xy<double>>& p) {
     return cross(Xy<double>(p[1] - p[0]), Xy<double>(p[2] - p[0])) < 0 ? -1 : 1;
   }
 
-  // \return whether there is something to do better
-  bool refine(double tolerance) {
-    upper_ = farthest_ * ROUNDED_UP<8> + 2 * inner_height_;
-    std::vector<Spiral_piece_2> next;
-    bool is_changed = false;
-    for (const Spiral_piece_2& p : pieces_) {
+  void bound(double tolerance) {
+    upper_ = farthest_ * ROUNDED_UP<8> + 2 * hull_.error();  // what was left out is inside the polygon but for that
+    for (Hull_pieces::Part& p : hull_.parts()) {
       const double most = farthest(p);
-      const double least_height = 64 * curves_.error(p.segment);
-      const bool is_fine = most <= lower_ + tolerance || height_of(curves_.region(p)) <= least_height;
-      const auto middle = is_fine || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(curves_, p);
-      if (!middle) {
-        upper_ = (std::max)(upper_, most);
-        next.push_back(p);
-        continue;
-      }
-      is_changed = true;
-      next.push_back(middle->first);
-      next.push_back(middle->second);
-      const Xy<double>& q = middle->first.last.point;
-      if (euclidean_norm(q - center_) > lower_) points_.push_back(q);
+      p.is_marked = most > lower_ + tolerance;
+      upper_ = (std::max)(upper_, most);
     }
-    pieces_ = std::move(next);
-    if (is_changed) points_ = convex_polygon(points_);
-    return is_changed;
   }
-  // Distances from a point are convex along the chord, and the piece is no farther from it than its height.
-  [[nodiscard]] double farthest(const Spiral_piece_2& p) const {
-    const Fat_arc_2 fat = curves_.region(p);
-    const double d = (std::max)(euclidean_norm(fat.arc.from - center_), euclidean_norm(fat.arc.to - center_));
-    const double by_height = (d + height_of(fat)) * ROUNDED_UP<8>;
-    return is_fine_ ? (std::min)(by_height, farthest_along(p)) : by_height;
-  }
-  // The squared distance from one point along a piece, of second order: that of an arc about the center is its own.
-  [[nodiscard]] double farthest_along(const Spiral_piece_2& p) const {
-    const double error = curves_.error(p.segment);
-    const Bent_piece bent(p.first, p.last, error);
-    if (!bent.is_known) return std::numeric_limits<double>::infinity();
-    const Raised_line square = from_point(bent, p.first.point - center_, p.last.point - center_);
-    return std::sqrt((std::max)(square.first, square.last)) * ROUNDED_UP<16> + 2 * error;
+  // Distances from a point are convex along the chord, and the piece is no farther from it than its height.  The
+  // squared distance along a piece is of second order: that of an arc about the center is its own.
+  [[nodiscard]] double farthest(const Hull_pieces::Part& p) const {
+    const Xy<double> first = p.piece.first.point - center_, last = p.piece.last.point - center_;
+    const double by_height = ((std::max)(euclidean_norm(first), euclidean_norm(last)) + p.height) * ROUNDED_UP<8>;
+    const double error = hull_.curves().error(p.piece.segment);
+    const Bent_piece bent(p.piece.first, p.piece.last, error);
+    if (!bent.is_known) return by_height;
+    const Raised_line square = from_point(bent, first, last);
+    return (std::min)(by_height, std::sqrt((std::max)(square.first, square.last)) * ROUNDED_UP<16> + 2 * error);
   }
 
-  const Segment_hierarchy& curves_;
-  bool is_fine_;
-  std::vector<Spiral_piece_2> pieces_;
-  Convex_polygon points_;
+  Hull_pieces hull_;
   Xy<double> center_;
-  double error_, inner_height_ = 0, farthest_ = 0, lower_ = 0, upper_ = 0;
-  Work_limit limit_;
+  double farthest_ = 0, lower_ = 0, upper_ = 0;
 };
 
 std::optional<Enclosing_circle<>> smallest_enclosing_circle(const Bounding_arc_tree_2& curves, double tolerance) {
   check_tolerance(tolerance);
   if (curves.empty()) return std::nullopt;
-  constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more
   const Unit& unit = curves.unit();
-  const Segment_hierarchy& in_unit = curves.in_unit();
-  const double asked = unit.tolerance_in(tolerance), rough = ROUGH * extent_of(in_unit);
-  const Circle_search search(in_unit, Hull_samples(in_unit, rough), asked / 2, is_fine(in_unit, asked));
-  const Measure_bounds radius{search.lower(), search.upper(),
-                              status_of(search.upper() - search.lower(), asked, search.is_limited())};
+  const double asked = unit.tolerance_in(tolerance);
+  const Circle_search search(curves.in_unit(), asked / 2);
+  const Measure_bounds radius = measured(search.lower(), search.upper(), asked, search.is_limited());
   return Enclosing_circle<>{unit.out(search.center()), unit.bounds_out(radius)};
 }
 

@@ -14,7 +14,6 @@
 #include "exact_intersections.h"
 #include "Common_zeros.h"
 #include "Level_arcs.h"
-#include "exact_meetings.h"
 
 #include "../curve/Integer_piece.h"
 #include "../polynomial/Integer_polynomial.h"
@@ -25,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -120,19 +120,14 @@ struct Equations {
   return e;
 }
 
-[[nodiscard]] static bool is_before(const Bracket& p, const Bracket& q) {
-  return p.lower != q.lower ? p.lower < q.lower : p.upper < q.upper;
+[[nodiscard]] static auto order_of(const Bracket& p, const Bracket& q) {
+  return std::tie(p.lower, p.upper, q.lower, q.upper);
 }
-[[nodiscard]] static bool is_same(const Bracket& p, const Bracket& q) {
-  return p.lower == q.lower && p.upper == q.upper;
-}
-
 static void sort(Piece_intersections& found) {
   std::sort(found.points.begin(), found.points.end(),
-            [](const auto& p, const auto& q) { return is_same(p.a, q.a) ? is_before(p.b, q.b) : is_before(p.a, q.a); });
-  std::sort(found.overlaps.begin(), found.overlaps.end(), [](const auto& p, const auto& q) {
-    return is_same(p.a_from, q.a_from) ? is_before(p.b_from, q.b_from) : is_before(p.a_from, q.a_from);
-  });
+            [](const auto& p, const auto& q) { return order_of(p.a, p.b) < order_of(q.a, q.b); });
+  std::sort(found.overlaps.begin(), found.overlaps.end(),
+            [](const auto& p, const auto& q) { return order_of(p.a_from, p.b_from) < order_of(q.a_from, q.b_from); });
 }
 
 /// What it is for the pieces in the other order; an overlap along which the other piece falls is run through backwards.
@@ -140,9 +135,7 @@ static void sort(Piece_intersections& found) {
   for (Piece_intersection& p : found.points) std::swap(p.a, p.b);
   for (Piece_overlap& o : found.overlaps) {
     o = {o.b_from, o.b_to, o.a_from, o.a_to};
-    if (!is_before(o.a_to, o.a_from)) continue;
-    std::swap(o.a_from, o.a_to);
-    std::swap(o.b_from, o.b_to);
+    if (order_of(o.a_to, o.a_to) < order_of(o.a_from, o.a_from)) o = {o.a_to, o.a_from, o.b_to, o.b_from};
   }
   sort(found);
   return found;
@@ -211,14 +204,6 @@ class Zero_set {
   Exact_meetings found_;
 };
 
-/// All of [0,1] stands for every parameter of a single point.
-[[nodiscard]] static std::vector<Bracket> parameters_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
-  if (a.is_point() && moved(a.x, a.w, p.x).is_zero() && moved(a.y, a.w, p.y).is_zero()) return {{0, 1}};
-  std::vector<Bracket> r;
-  for (Real_root& t : exact_roots_at(a, p)) r.push_back(t.range());
-  return r;
-}
-
 [[nodiscard]] static bool are_boxes_apart(const Bezier_curve_2<Exact_rational>& a,
                                           const Bezier_curve_2<Exact_rational>& b) {
   const auto is_apart = [&](auto less) {
@@ -230,50 +215,16 @@ class Zero_set {
          is_apart([](const auto& p, const auto& q) { return p.y < q.y; });
 }
 
-/// Overlaps of a single point with whatever it is on; `is_first` when the first piece is that point.
-[[nodiscard]] static Piece_intersections point_overlaps(const std::vector<Bracket>& parameters, bool is_first) {
+/// Overlaps of a single point with whatever of a piece is on it. \param is_first whether the first piece is that point
+[[nodiscard]] static Piece_intersections point_overlaps(const Integer_piece& a, const Xy<Exact_rational>& p,
+                                                        bool is_first) {
   Piece_intersections r;
   const Bracket zero{0, 0}, one{1, 1};
-  for (const Bracket& p : parameters) {
-    const bool is_all = p.lower == 0 && p.upper == 1;
-    const Bracket from = is_all ? zero : p, to = is_all ? one : p;
+  const auto add = [&](const Bracket& from, const Bracket& to) {
     r.overlaps.push_back(is_first ? Piece_overlap{zero, one, from, to} : Piece_overlap{from, to, zero, one});
-  }
-  return r;
-}
-
-/// The sign of y right after each of its roots, and before the first one. \pre the roots are all those in [0,1]
-[[nodiscard]] static std::vector<int> signs_between(const Univariate& y, std::vector<Real_root>& roots) {
-  const auto sign_between = [&y](const Exact_rational& low, const Exact_rational& high) {
-    return static_cast<int>(CGAL::sign(value_at(y, Exact_rational((low + high) / Exact_rational(2)))));
   };
-  std::vector<int> signs;
-  Exact_rational low(0);
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    while (i > 0 && roots[i - 1].upper() >= roots[i].lower()) {
-      roots[i - 1].refine();
-      roots[i].refine();
-    }
-    if (i > 0) low = roots[i - 1].upper();
-    signs.push_back(sign_between(low, roots[i].lower()));
-  }
-  signs.push_back(sign_between(roots.back().upper(), Exact_rational(1)));
-  return signs;
-}
-
-/// Crossings of the curve (x, y) with the half of the first axis where x > 0.
-[[nodiscard]] static Ray_crossings crossings(const Univariate& x, const Univariate& y) {
-  Ray_crossings r;
-  if (y.is_zero()) {
-    r.is_on = x.is_zero() || !unit_roots(x).empty();
-    return r;
-  }
-  // an end at the ray's height counts as below it, as does what is beyond
-  for (Exact_zero& zero : exact_zeros(y)) {
-    const int side = zero.t.sign_of(x);
-    if (side == 0) r.is_on = true;
-    if (side > 0) r.winding += (zero.sign_behind - zero.sign_before) / 2;
-  }
+  if (a.is_point() && moved(a.x, a.w, p.x).is_zero() && moved(a.y, a.w, p.y).is_zero()) add(zero, one);
+  for (Real_root& t : exact_roots_at(a, p)) add(t.range(), t.range());
   return r;
 }
 
@@ -288,11 +239,23 @@ std::vector<Real_root> exact_roots_at(const Integer_piece& a, const Xy<Exact_rat
 std::vector<Exact_zero> exact_zeros(const Univariate& p) {
   std::vector<Real_root> roots = unit_roots(p);
   std::vector<Exact_zero> zeros;
-  if (roots.empty()) return zeros;
-  std::vector<int> signs = internal::signs_between(p, roots);
-  if (roots.front().is_dyadic() && roots.front().lower() == Exact_rational(0)) signs.front() = -1;
-  if (roots.back().is_dyadic() && roots.back().lower() == Exact_rational(1)) signs.back() = -1;
-  for (std::size_t i = 0; i < roots.size(); ++i) zeros.push_back({roots[i], signs[i], signs[i + 1]});
+  const auto is_end = [](const Real_root& t, int end) { return t.is_dyadic() && t.lower() == Exact_rational(end); };
+  const auto sign_between = [&p](const Exact_rational& low, const Exact_rational& high) {
+    return static_cast<int>(CGAL::sign(value_at(p, Exact_rational((low + high) / Exact_rational(2)))));
+  };
+  int before = 0;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const bool is_last = i + 1 == roots.size();
+    while (!is_last && roots[i].upper() >= roots[i + 1].lower()) {
+      roots[i].refine();
+      roots[i + 1].refine();
+    }
+    if (i == 0) before = is_end(roots[i], 0) ? -1 : sign_between(Exact_rational(0), roots[i].lower());
+    const int behind = is_last && is_end(roots[i], 1)
+                           ? -1
+                           : sign_between(roots[i].upper(), is_last ? Exact_rational(1) : roots[i + 1].lower());
+    zeros.push_back({roots[i], std::exchange(before, behind), behind});
+  }
   return zeros;
 }
 
@@ -314,34 +277,74 @@ Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univa
                    CGAL::resultant(in_s, crossed(a.y, a.w, b.y, b.w)));
 }
 
-template <class NT> Piece_intersections exact_intersections(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b) {
+Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rational>& a,
+                                        const Bezier_curve_2<Exact_rational>& b) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   if (internal::are_boxes_apart(a, b)) return {};
   const Integer_piece p(a), q(b);
-  if (p.is_point()) return internal::point_overlaps(internal::parameters_at(q, a.control_points().front()), true);
-  if (q.is_point()) return internal::point_overlaps(internal::parameters_at(p, b.control_points().front()), false);
+  if (p.is_point()) return internal::point_overlaps(q, a.control_points().front(), true);
+  if (q.is_point()) return internal::point_overlaps(p, b.control_points().front(), false);
   // Over a point of a straight piece there are several parameters, which is the slow case for the second piece.
   if (q.is_straight() && !p.is_straight())
     return internal::exchanged(internal::Zero_set(internal::equations(q, p)).result());
   return internal::Zero_set(internal::equations(p, q)).result();
 }
 
-template <class NT> Piece_intersections exact_self_intersections(const Bezier_curve_2<NT>& a) {
+Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>& a) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const Integer_piece p(a);
   if (p.is_point()) return {};
   return internal::Zero_set(internal::equations(p)).result();
 }
 
-template <class NT> Ray_crossings exact_ray_crossings(const Bezier_curve_2<NT>& a, const Xy<NT>& q) {
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const Integer_piece p(a);
-  return internal::crossings(moved(p.x, p.w, q.x), moved(p.y, p.w, q.y));
+Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve) {
+  Exact_polynomial::Coefficients x, y;
+  for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+    const Exact_point way = curve.control_points()[i] - q;
+    const Exact_rational weight = curve.weight(static_cast<int>(i));
+    x.push_back(Exact_rational(weight * way.x));
+    y.push_back(Exact_rational(weight * way.y));
+  }
+  return {Exact_polynomial(std::move(x)), Exact_polynomial(std::move(y))};
+}
+Seen_curve restricted(const Seen_curve& c, const Exact_rational& t0, const Exact_rational& t1) {
+  const Exact_rational s0 = Exact_rational(1 - t0), s1 = Exact_rational(1 - t1);
+  return {c.x.restricted(t0, s0, t1, s1), c.y.restricted(t0, s0, t1, s1)};
 }
 
-template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rational>&,
-                                                 const Bezier_curve_2<Exact_rational>&);
-template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
-template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
+// 1 from below the point to its height or above it, -1 the other way round.
+static int rise(const Exact_rational& from_y, const Exact_rational& to_y) {
+  return static_cast<int>(from_y < 0) - static_cast<int>(to_y < 0);
+}
+
+int crossings(const Seen_curve& c) {
+  const auto &x = c.x.scaled_coefficients(), &y = c.y.scaled_coefficients();
+  const auto is_negative = [](const Exact_rational& v) { return CGAL::is_negative(v); };
+  const auto is_positive = [](const Exact_rational& v) { return CGAL::is_positive(v); };
+  if (std::none_of(y.begin(), y.end(), is_negative) || std::all_of(y.begin(), y.end(), is_negative)) return 0;
+  if (std::none_of(x.begin(), x.end(), is_positive)) return 0;
+  if (std::none_of(x.begin(), x.end(), is_negative)) return rise(y.front(), y.back());
+  const auto xs = c.x.halves(), ys = c.y.halves();
+  return crossings({xs.first, ys.first}) + crossings({xs.second, ys.second});
+}
+
+// From b to a as many, with the other sign, even where it runs through the point.
+static int segment_crossings(const Exact_point& q, const Exact_point& a, const Exact_point& b) {
+  const Exact_point u = a - q, v = b - q;
+  const int way = rise(u.y, v.y);
+  return way != 0 && static_cast<int>(CGAL::sign(cross(u, v))) == way ? way : 0;
+}
+
+Exact_crossings exact_crossings(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve, double t0, double t1,
+                                const Exact_point& a, const Exact_point& b) {
+  const Exact_rational first(t0), last(t1);
+  const Seen_curve seen = restricted(seen_from(q, curve), first, last);
+  Exact_crossings r;
+  r.is_on = have_common_root(seen.x, seen.y);
+  r.number = segment_crossings(q, a, curve.point(first)) + segment_crossings(q, curve.point(last), b);
+  if (r.is_on) r.passing = rise(seen.y.scaled_coefficients().front(), seen.y.scaled_coefficients().back());
+  else r.number += crossings(seen);
+  return r;
+}
 
 }  // namespace CGAL::Bounding_arcs

@@ -10,17 +10,76 @@
 
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include "../tree/Segment_hierarchy.h"
-#include "Curve_joints.h"
-#include "Numbered_intersections.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A common point of two Bezier pieces.
+struct Numbered_point {
+  std::pair<std::uint32_t, std::uint32_t> beziers;  // numbered through the drawing
+  Piece_intersection common;
+};
+/// A part along which two Bezier pieces run together.
+struct Numbered_overlap {
+  std::pair<std::uint32_t, std::uint32_t> beziers;
+  Piece_overlap common;
+};
+/// All that drawings have in common.
+struct Numbered_intersections {
+  std::vector<Numbered_point> points;
+  std::vector<Numbered_overlap> overlaps;
+};
+
+/// A parameter range of a Bezier piece; the end of a piece that another one follows is that one's start.
+struct Joint_place {
+  std::uint32_t bezier;
+  Bracket t;
+
+  [[nodiscard]] bool is_start() const { return t.lower == 0 && t.upper == 0; }
+  [[nodiscard]] bool touches(const Joint_place& other) const {
+    return bezier == other.bezier && t.lower <= other.t.upper && other.t.lower <= t.upper;
+  }
+};
+/// Compares places by their order on the curves.
+[[nodiscard]] inline bool operator<(const Joint_place& p, const Joint_place& q) {
+  return std::tie(p.bezier, p.t.lower, p.t.upper) < std::tie(q.bezier, q.t.lower, q.t.upper);
+}
+
+/// Which Bezier piece follows which, told by the curves: tables would take the time of all pieces where few meet.
+class Curve_joints {
+ public:
+  explicit Curve_joints(const Segment_hierarchy& curves) : curves_(&curves) {}
+  [[nodiscard]] Joint_place place(std::uint32_t bezier, const Bracket& t) const {
+    if (!(t.lower == 1 && t.upper == 1)) return {bezier, t};
+    const std::size_t curve = curves_->curve_of_bezier(bezier);
+    const auto& of_curve = curves_->drawing().curves()[curve];
+    const std::uint32_t first = curves_->number_of_bezier(curve, 0);
+    if (bezier - first + 1 < of_curve.beziers.size()) return {bezier + 1, {0, 0}};
+    return of_curve.is_closed ? Joint_place{first, {0, 0}} : Joint_place{bezier, t};
+  }
+  [[nodiscard]] Curve_range curve_range(std::uint32_t bezier, const Bracket& t) const {
+    const std::size_t curve = curves_->curve_of_bezier(bezier);
+    return {static_cast<std::uint32_t>(curve), bezier - curves_->number_of_bezier(curve, 0), t};
+  }
+  [[nodiscard]] Curve_range curve_range(const Joint_place& p) const { return curve_range(p.bezier, p.t); }
+  [[nodiscard]] Xy<double> point(const Joint_place& p) const {
+    return curves_->evaluator(p.bezier)(p.t.lower + (p.t.upper - p.t.lower) / 2).point;
+  }
+
+ private:
+  const Segment_hierarchy* curves_;
+};
+
+}  // namespace CGAL::Bounding_arcs
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -63,12 +122,6 @@ class Joined_overlaps {
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (to(i).first.touches(p) && to(i).second.touches(q)) return true;
     return false;
-  }
-  /// Each part by itself.
-  [[nodiscard]] std::vector<Overlap_2> parts() const {
-    std::vector<Overlap_2> result;
-    for (std::size_t i = 0; i < parts_.size(); ++i) result.push_back(overlap(i, i));
-    return result;
   }
   [[nodiscard]] std::vector<Overlap_2> joined() const {
     std::vector<std::size_t> next(parts_.size(), parts_.size());
@@ -128,40 +181,27 @@ class Joined_overlaps {
   std::multimap<std::uint32_t, std::size_t> starts_;  // by Bezier piece
 };
 
-/// The ends of pieces that ranges of undecided points reach: a common end there may belong to a part that is shared.
-class Undecided_ends {
- public:
-  Undecided_ends(const std::vector<Numbered_point>& points, const Curve_joints& a, const Curve_joints& b) {
-    for (const Numbered_point& p : points) {
-      if (p.common.kind != Intersection_kind::UNDECIDED) continue;
-      for (const double t : {p.common.a.lower, p.common.a.upper})
-        for (const double s : {p.common.b.lower, p.common.b.upper})
-          ends_.emplace_back(a.place(p.beziers.first, {t, t}), b.place(p.beziers.second, {s, s}));
-    }
-    std::sort(ends_.begin(), ends_.end());
-  }
-  [[nodiscard]] bool have(const Joint_place& p, const Joint_place& q) const {
-    return std::binary_search(ends_.begin(), ends_.end(), std::pair(p, q));
-  }
-
- private:
-  std::vector<std::pair<Joint_place, Joint_place>> ends_;
-};
-
 /// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
-/// \param joins_overlaps whether parts of overlaps are joined where they go on
 [[nodiscard]] inline Intersections_2<> joined(const Numbered_intersections& found, const Curve_joints& a,
-                                              const Curve_joints& b, bool is_self, bool joins_overlaps) {
+                                              const Curve_joints& b, bool is_self) {
   struct Point {
     Joint_place a, b;
     Intersection_kind kind;
   };
   const Joined_overlaps overlaps(found.overlaps, a, b);
-  const Undecided_ends undecided(found.points, a, b);
+  // ends of pieces that ranges of undecided points reach: a common end there may belong to a part that is shared
+  std::set<std::pair<Joint_place, Joint_place>> undecided;
+  for (const Numbered_point& p : found.points) {
+    if (p.common.kind != Intersection_kind::UNDECIDED) continue;
+    for (const double t : {p.common.a.lower, p.common.a.upper})
+      for (const double s : {p.common.b.lower, p.common.b.upper})
+        undecided.emplace(a.place(p.beziers.first, {t, t}), b.place(p.beziers.second, {s, s}));
+  }
+  const auto is_undecided = [&](const Joint_place& p, const Joint_place& q) { return undecided.count({p, q}) != 0; };
   std::vector<Point> points;
   for (const Numbered_point& p : found.points) {
     Point q{a.place(p.beziers.first, p.common.a), b.place(p.beziers.second, p.common.b), p.common.kind};
-    if (q.kind != Intersection_kind::UNDECIDED && (undecided.have(q.a, q.b) || (is_self && undecided.have(q.b, q.a))))
+    if (q.kind != Intersection_kind::UNDECIDED && (is_undecided(q.a, q.b) || (is_self && is_undecided(q.b, q.a))))
       continue;
     if (is_self && q.b < q.a) std::swap(q.a, q.b);
     if (is_self && q.a.is_start() && q.b.is_start() && q.a.bezier == q.b.bezier) continue;
@@ -185,7 +225,7 @@ class Undecided_ends {
     if (!is_known) kept.push_back(p);
   }
   for (const Point& p : kept) result.points.push_back({a.point(p.a), p.kind, a.curve_range(p.a), b.curve_range(p.b)});
-  result.overlaps = joins_overlaps ? overlaps.joined() : overlaps.parts();
+  result.overlaps = overlaps.joined();
   return result;
 }
 

@@ -6,9 +6,7 @@
 
 #include "Area_sum.h"
 #include "Lens.h"
-#include "double_double_area.h"
 #include "query_units.h"
-#include "refine_sum.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
@@ -16,9 +14,9 @@
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include "../curve/exact_bezier.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Foot.h"
-#include "Work_limit.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
@@ -44,16 +42,6 @@ namespace CGAL::Bounding_arcs::internal {
 
 using Exact_chain = std::vector<Bezier_curve_2<Exact_rational>>;
 
-[[nodiscard]] inline Exact_chain exact_chain(const std::vector<Bezier_curve_2<double>>& pieces) {
-  Exact_chain chain;
-  for (const Bezier_curve_2<double>& piece : pieces) {
-    std::vector<Xy<Exact_rational>> points;
-    for (const Xy<double>& p : piece.control_points()) points.push_back({Exact_rational(p.x), Exact_rational(p.y)});
-    chain.emplace_back(std::move(points), std::vector<Exact_rational>(piece.weights().begin(), piece.weights().end()));
-  }
-  return chain;
-}
-
 [[nodiscard]] inline bool is_same(const Exact_chain& a, const Exact_chain& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -72,7 +60,8 @@ using Exact_chain = std::vector<Bezier_curve_2<Exact_rational>>;
   if (!is_rounded) return std::nullopt;
   is_rounded = false;
   for (const auto& curve : drawing.curves()) {
-    Exact_chain chain = exact_chain(curve.beziers);
+    Exact_chain chain;
+    for (const auto& piece : curve.beziers) chain.push_back(exact_bezier(piece));
     if (curve.b_spline) {
       Exact_chain pieces = curve.b_spline->over<Exact_rational>().bezier_pieces();
       const bool is_closed = pieces.front().control_points().front() == pieces.back().control_points().back();
@@ -275,10 +264,6 @@ class Length_sum {
 
 namespace CGAL::Bounding_arcs {
 
-[[nodiscard]] static Measure_bounds measured(double lower, double upper, double tolerance, bool is_limited) {
-  return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
-}
-
 Measure_bounds length(const Bounding_arc_tree_2& curves, double eps) {
   check_tolerance(eps);
   if (curves.empty()) return {0, 0};
@@ -308,7 +293,7 @@ Measure_bounds area(const Bounding_arc_tree_2& curves, double eps) {
 
 // \param tolerance relative to the extent
 [[nodiscard]] static std::optional<Centroid_bounds> centroid(const Segment_hierarchy& curves, double tolerance) {
-  const double extent = internal::Area_sum::extent_of(curves);
+  const double extent = internal::extent_of(curves);
   const Measure_bounds rough = area(curves, 0x1p-10 * extent * extent);
   const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
   const auto bounds = [&](double of_sum) -> std::optional<Centroid_bounds> {

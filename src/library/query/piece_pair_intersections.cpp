@@ -29,7 +29,7 @@
 // not negative of the differences a_i and b_j of control points: of neighbours, of any two where there are weights.  If
 // all cross(a_i, b_j) have one sign, tangents are nowhere parallel, and there is one common point at most: a chord
 // between two would be such a combination of the a_i and, up to its sign, of the b_j, and cross(v, v) is 0.
-// What is done with that is as in Pair_search.h.
+// What is done with that is as in Pair_search (Intersection_search.h).
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -39,7 +39,8 @@ template <std::size_t MOST> struct Control_piece {
   Xy<double> points[MOST + 1];
   double weights[MOST + 1];  // all 1 of a polynomial piece, and not looked at
   double t0 = 0, t1 = 1;
-  double error = 0;  // how far the points may be from the exact ones
+  double error = 0;      // how far the points may be from the exact ones
+  Xy<double> low, high;  // of the points
 };
 
 struct Polygon_results {
@@ -56,7 +57,7 @@ template <std::size_t MOST> class Polygon_search {
       : degree_{a.control_points().size() - 1, b.control_points().size() - 1}, is_rational_{a.is_rational(),
                                                                                             b.is_rational()},
         evaluator_a_(a), evaluator_b_(b) {
-    refine(piece_of(a), piece_of(b));
+    refine(piece_of(a, A), piece_of(b, B));
   }
   [[nodiscard]] const Polygon_results& results() const { return results_; }
   [[nodiscard]] const Bezier_evaluator& evaluator_a() const { return evaluator_a_; }
@@ -67,12 +68,13 @@ template <std::size_t MOST> class Polygon_search {
   // What a tangency takes down to where polygons are as long as the roundings of points.
   int budget_ = MOST_PAIRS;
 
-  [[nodiscard]] static Piece piece_of(const Bezier_curve_2<double>& curve) {
+  [[nodiscard]] Piece piece_of(const Bezier_curve_2<double>& curve, int which) const {
     Piece piece;
     for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
       piece.points[i] = curve.control_points()[i];
       piece.weights[i] = curve.weight(static_cast<int>(i));
     }
+    set_box(piece, which);
     return piece;
   }
 
@@ -81,7 +83,7 @@ template <std::size_t MOST> class Polygon_search {
     const bool are_transversal = have_transversal_tangents(a, b);
     if (is_settled_at_end(a, b, are_transversal)) return;
     if (are_transversal && is_settled_by_newton(a, b)) return;
-    const double size_a = size(a, A), size_b = size(b, B);
+    const double size_a = size(a), size_b = size(b);
     constexpr double LEAST = 64;  // times the errors
     const double least = LEAST * (a.error + b.error + evaluator_a_.point_error() + evaluator_b_.point_error());
     const bool of_a = size_a >= size_b;
@@ -128,33 +130,22 @@ template <std::size_t MOST> class Polygon_search {
     first.t0 = whole.t0;
     first.t1 = second.t0 = middle;
     second.t1 = whole.t1;
+    set_box(first, which);
+    set_box(second, which);
   }
 
-  [[nodiscard]] double size(const Piece& p, int which) const {
-    double x0 = p.points[0].x, x1 = x0, y0 = p.points[0].y, y1 = y0;
+  void set_box(Piece& p, int which) const {
+    p.low = p.high = p.points[0];
     for (std::size_t i = 1; i <= degree_[which]; ++i) {
-      x0 = (std::min)(x0, p.points[i].x);
-      x1 = (std::max)(x1, p.points[i].x);
-      y0 = (std::min)(y0, p.points[i].y);
-      y1 = (std::max)(y1, p.points[i].y);
+      p.low = {(std::min)(p.low.x, p.points[i].x), (std::min)(p.low.y, p.points[i].y)};
+      p.high = {(std::max)(p.high.x, p.points[i].x), (std::max)(p.high.y, p.points[i].y)};
     }
-    return (std::max)(x1 - x0, y1 - y0);
   }
+  [[nodiscard]] static double size(const Piece& p) { return (std::max)(p.high.x - p.low.x, p.high.y - p.low.y); }
   [[nodiscard]] bool are_boxes_apart(const Piece& a, const Piece& b) const {
     const double room = (a.error + b.error) * ROUNDED_UP<4> + 2 * HALF_ULP * evaluator_a_.coordinate_size();
-    const auto apart = [&](double Xy<double>::*axis) {
-      double low_a = a.points[0].*axis, high_a = low_a, low_b = b.points[0].*axis, high_b = low_b;
-      for (std::size_t i = 1; i <= degree_[A]; ++i) {
-        low_a = (std::min)(low_a, a.points[i].*axis);
-        high_a = (std::max)(high_a, a.points[i].*axis);
-      }
-      for (std::size_t i = 1; i <= degree_[B]; ++i) {
-        low_b = (std::min)(low_b, b.points[i].*axis);
-        high_b = (std::max)(high_b, b.points[i].*axis);
-      }
-      return low_b - high_a > room || low_a - high_b > room;
-    };
-    return apart(&Xy<double>::x) || apart(&Xy<double>::y);
+    return b.low.x - a.high.x > room || a.low.x - b.high.x > room || b.low.y - a.high.y > room ||
+           a.low.y - b.high.y > room;
   }
   // Whether b is on one side of the strip along the chord that holds a. Products of differences round by 4 u each.
   [[nodiscard]] bool is_beside_chord(const Piece& a, int which_a, const Piece& b, int which_b) const {

@@ -2,14 +2,15 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of query/ray_hits.h.
+// Bodies of query/ray_hits.h and query/point_location.h.
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 #include "../tree/Segment_hierarchy.h"
-#include "Ray_filter.h"
 #include "Ray_search.h"
+#include "Winding_search.h"
 #include "query_units.h"
 
 #include <CGAL/number_utils.h>
@@ -65,3 +66,11 @@ std::vector<Ray_hit<>> ray_hits(const Bounding_arc_tree_2& curves, const Asked_p
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Winding_number Point_location_2::winding_number(const Asked_point& q) const {
+  return Bounding_arcs::winding_number(tree_->in_unit(), point_in(tree_->unit(), q));
+}
+
+}  // namespace CGAL::Bounding_arcs

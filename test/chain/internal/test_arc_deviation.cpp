@@ -4,7 +4,7 @@
 //
 // Bounds of the distance of arcs from curves, beside samples.
 
-#include "../../../src/library/chain/Arc_columns.h"
+#include "../../../src/library/chain/Cubic_arcs.h"
 #include "../../../src/library/chain/arc_deviation.h"
 
 #include <gtest/gtest.h>

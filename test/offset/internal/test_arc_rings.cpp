@@ -6,7 +6,7 @@
 
 #include "bulge_arcs.h"
 
-#include "../../../src/library/offset/Arc_rings.h"
+#include "../../../src/library/offset/Arc_boxes.h"
 
 #include <gtest/gtest.h>
 

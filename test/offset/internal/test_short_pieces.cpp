@@ -4,7 +4,6 @@
 //
 // Short pieces of chains, left out or kept.
 
-#include "../../../src/library/offset/few_pieces.h"
 #include "exact_sweep.h"
 #include "offset_checks.h"
 

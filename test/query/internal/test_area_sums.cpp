@@ -10,7 +10,6 @@
 
 #include "../../../src/library/query/Area_sum.h"
 #include "../../../src/library/query/Lens.h"
-#include "../../../src/library/query/double_double_area.h"
 
 #include <gtest/gtest.h>
 

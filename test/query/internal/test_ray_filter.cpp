@@ -8,7 +8,6 @@
 #include "cases.h"
 #include "closed_drawings.h"
 
-#include "../../../src/library/query/Ray_filter.h"
 #include "../../../src/library/query/Ray_search.h"
 
 #include <gtest/gtest.h>

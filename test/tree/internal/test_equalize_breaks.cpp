@@ -8,8 +8,8 @@
 #include "cases.h"
 #include "trees.h"
 
-#include "../../../src/library/chain/slope_integral.h"
 #include "../../../src/library/tree/equalize_breaks.h"
+#include "../../../src/study/slope_integral.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
-#include "../../../src/library/chain/cubic_factor.h"
-#include "../../../src/library/chain/slope_integral.h"
+#include "../../../src/library/chain/Cubic_arcs.h"
+#include "../../../src/study/slope_integral.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 // The integral of |dkappa/ds|^(1/3) ds, to which for small eps the least number of pieces is proportional whatever is
 // put over them: arcs, biarcs or bounding regions.
 
-#ifndef BOUNDING_ARCS_LIBRARY_CHAIN_SLOPE_INTEGRAL_H
-#define BOUNDING_ARCS_LIBRARY_CHAIN_SLOPE_INTEGRAL_H
+#ifndef BOUNDING_ARCS_STUDY_SLOPE_INTEGRAL_H
+#define BOUNDING_ARCS_STUDY_SLOPE_INTEGRAL_H
 
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include "cubic_factor.h"
+#include "../library/chain/Cubic_arcs.h"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
