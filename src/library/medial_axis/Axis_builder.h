@@ -14,8 +14,12 @@
 #include "Axis_path.h"
 #include "Bounding_parts.h"
 #include "Branch_finder.h"
-#include "order_by_place.h"
 #include "start_axis_parts.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +30,29 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
+
+/// Calls work(i) for i = 0, ..., count - 1 in the order of a curve that fills the plane: what lies side by side is
+/// looked at in turn, while it is in the processor's cache.
+/// \param at_once how many follow each other in one thread
+/// \param place Xy<double>(std::size_t i), where work i is
+template <class Place_of, class Work>
+void for_each_by_place(Index_loop loop, std::size_t at_once, std::size_t count, const Place_of& place,
+                       const Work& work) {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Points = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+  std::vector<Kernel::Point_2> points;
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Xy<double> p = place(i);
+    points.emplace_back(p.x, p.y);
+    order[i] = i;
+  }
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Points>(CGAL::make_property_map(points)));
+  loop((count + at_once - 1) / at_once, [&](std::size_t k) {
+    for (std::size_t i = k * at_once; i < (std::min)((k + 1) * at_once, count); ++i) work(order[i]);
+  });
+}
 
 // Vertices and edges of the axis from the discs and paths of all parts: discs that are one within rounding become one
 // vertex, and where a region was cut only to go on, edges are joined.
@@ -154,12 +181,9 @@ class Axis_builder {
     }
     while (!left.empty()) {
       std::vector<std::optional<Axis_branch>> branches(left.size());
-      const std::vector<std::uint32_t> order = order_by_place(
-          left.size(), [&](std::uint32_t i) { return place_of(left[i]); }, boundary_.size());
-      loop_(left.size(), [&](std::size_t k) {
-        const std::uint32_t i = order[k];
-        branches[i] = Branch_finder(parts_, left[i], is_joining_).find();
-      });
+      for_each_by_place(
+          loop_, 1, left.size(), [&](std::size_t i) { return place_of(left[i]); },
+          [&](std::size_t i) { branches[i] = Branch_finder(parts_, left[i], is_joining_).find(); });
       std::vector<std::uint32_t> next;
       for (std::size_t i = 0; i < left.size(); ++i) {
         if (!branches[i] || !can_split(left[i], *branches[i])) {
@@ -179,18 +203,15 @@ class Axis_builder {
   void add_paths(Axis_graph& graph) {
     std::vector<Medial_edge> edges(parts_.parts.size());
     std::vector<char> has_failed(edges.size(), 0);
-    const std::vector<std::uint32_t> order = order_by_place(
-        edges.size(), [&](std::uint32_t i) { return place_of(i); }, boundary_.size());
-    loop_over_ranges(loop_, edges.size(), [&](std::size_t begin, std::size_t end) {
-      for (; begin < end; ++begin) {
-        const std::uint32_t i = order[begin];
-        const std::vector<std::uint32_t>& nodes = parts_.parts[i].nodes;
-        if (nodes.size() != 2) continue;
-        Axis_path path(parts_, i, eps_);
-        edges[i] = graph.edge(nodes[1], nodes[0], path.samples());
-        has_failed[i] = path.has_failed() ? 1 : 0;
-      }
-    });
+    for_each_by_place(
+        loop_, RANGE_SIZE, edges.size(), [&](std::size_t i) { return place_of(static_cast<std::uint32_t>(i)); },
+        [&](std::size_t i) {
+          const std::vector<std::uint32_t>& nodes = parts_.parts[i].nodes;
+          if (nodes.size() != 2) return;
+          Axis_path path(parts_, static_cast<std::uint32_t>(i), eps_);
+          edges[i] = graph.edge(nodes[1], nodes[0], path.samples());
+          has_failed[i] = path.has_failed() ? 1 : 0;
+        });
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
       if (has_failed[i] != 0) unresolved_.push_back(place_of(i));
       else if (!edges[i].samples.empty()) graph.add(std::move(edges[i]));

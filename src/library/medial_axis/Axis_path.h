@@ -184,8 +184,7 @@ class Axis_path {
     if (has_failed_ || depth >= MOST_DEPTH || is_straight(s, t)) return;
     const double on_a = std::fabs(t.sample.a.u - s.sample.a.u) * (std::max)(s.speed_a, t.speed_a),
                  on_b = std::fabs(t.sample.b.u - s.sample.b.u) * (std::max)(s.speed_b, t.speed_b);
-    const bool is_half_of_a = halves_a(s.sample, on_a, on_b);
-    const State middle = is_half_of_a ? between<true>(s, t) : between<false>(s, t);
+    const State middle = halves_a(s.sample, on_a, on_b) ? between<true>(s, t) : between<false>(s, t);
     if (!(middle.sample.radius > 0)) {
       has_failed_ = true;
       return;

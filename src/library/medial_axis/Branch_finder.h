@@ -231,15 +231,10 @@ class Branch_finder {
       if (!(rate > 0)) return false;
       u = foot.place.u + dot(way, jet.tangent) / rate;
     }
-    if (u > e->last && foot.place.u == e->last) {
-      const std::uint32_t next = boundary_.after(foot.place.element);
-      const Boundary_place p{next, boundary_.element(next).first};
-      if (parts_.is_on(*foot.arc, p)) foot.place = p;
-      return true;
-    }
-    if (u < e->first && foot.place.u == e->first) {
-      const std::uint32_t next = boundary_.before(foot.place.element);
-      const Boundary_place p{next, boundary_.element(next).last};
+    const bool is_behind = u > e->last && foot.place.u == e->last;
+    if (is_behind || (u < e->first && foot.place.u == e->first)) {
+      const std::uint32_t next = is_behind ? boundary_.after(foot.place.element) : boundary_.before(foot.place.element);
+      const Boundary_place p{next, is_behind ? boundary_.element(next).first : boundary_.element(next).last};
       if (parts_.is_on(*foot.arc, p)) foot.place = p;
       return true;
     }

@@ -149,8 +149,8 @@ class Rolled_discs {
       if (!(way < UNBOUNDED)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED, UNBOUNDED};
       const double miss = euclidean_norm(s.point + r * perp(s.tangent) - disc.center) + r * s.tangent_error + p.error;
       return {perp(s.tangent), angle, (std::min)(way * most_apart(p, s, t, r), way + r * angle) + miss,
-              (std::min)({largest_disc(p, other, is_first), largest_before(p, s, other, way, angle),
-                          largest_beside({t.point, perp(t.tangent), way, angle, p.error}, line)}),
+              (std::min)({largest_disc(p, other, is_first), largest_beside(touched(p, s, way, angle), other, line),
+                          largest_beside(touched(p, t, way, angle), other, line)}),
               way};
     }
     // a cell that begins in the corner is a line
@@ -164,42 +164,33 @@ class Rolled_discs {
                  height = (std::min)(dot(first, way), dot(last, way)) - error * (2 + reach / shortest);
     const double through = height > 0 ? reach * reach / (2 * height) * ROUNDED_UP<16> : UNBOUNDED;
     return {first, turn, r * turn + 2 * p.fat.radius,
-            (std::min)(through, largest_beside({corner, last, 2 * p.fat.radius, turn, p.fat.radius}, line)),
+            (std::min)(through, largest_beside({corner, last, 2 * p.fat.radius, turn, p.fat.radius}, other, line)),
             2 * p.fat.radius};
   }
-  // A disc holds no end q of the other part.  With the way l from p0 on, and the angle a by which normals turn, p is
-  // off the tangent in p0 by l a at most, so  n.(q - p) >= n0.(q - p0) - a (|q - p0| + 2 l).
-  [[nodiscard]] double largest_before(const Line_part& p, const Spiral_sample& foot, const Line_part& other, double way,
-                                      double angle) const {
-    double least = UNBOUNDED;
-    for (const Spiral_sample* q : {&other.begin, &other.end}) {
-      const Xy<double> far = q->point - foot.point;
-      const double error = p.error + (other.is_point ? other.fat.radius : other.error) + 4 * HALF_ULP * parts_.size(),
-                   reach = euclidean_norm(far) + way + error,
-                   height = dot(perp(foot.tangent), far) - 2 * error - (angle + foot.tangent_error) * (reach + way);
-      if (height > 0) least = (std::min)(least, reach * reach / (2 * height) * ROUNDED_UP<16>);
-    }
-    return least;
-  }
-  // A disc holds no other point q of the curves, either, such as one that a vertex touches.  With the way l from p1
-  // and the angle a by which normals turn,  |q - p| <= |q - p1| + l,  n.(q - p) >= n1.(q - p1) - l - a (|q - p1| + l).
+  // A disc that touches a part in p holds no other point q of the curves, such as an end of the other part, or one that
+  // a vertex touches.  With the way l from an end p1 of the part, and the angle a by which normals turn, p is off the
+  // tangent in p1 by l a at most, so  |q - p| <= |q - p1| + l,  n.(q - p) >= n1.(q - p1) - a (|q - p1| + 2 l).
   struct Touched_part {
-    Xy<double> point, normal;  // in the far end
+    Xy<double> point, normal;  // in the end
     double way, angle, error;
   };
-  [[nodiscard]] double largest_beside(const Touched_part& p, const Axis_line& line) const {
-    double least = UNBOUNDED;
+  [[nodiscard]] static Touched_part touched(const Line_part& p, const Spiral_sample& end, double way, double angle) {
+    return {end.point, perp(end.tangent), way, angle + end.tangent_error, p.error};
+  }
+  [[nodiscard]] double largest_beside(const Touched_part& p, const Line_part& other, const Axis_line& line) const {
+    double least = largest_beside(p, {other.begin.point, other.end.point}, other.is_point ? other.fat.radius : 0);
     for (const std::vector<Xy<double>>* points : line.others)
       if (points != nullptr) least = (std::min)(least, largest_beside(p, *points));
     return least;
   }
-  [[nodiscard]] double largest_beside(const Touched_part& p, const std::vector<Xy<double>>& points) const {
+  [[nodiscard]] double largest_beside(const Touched_part& p, const std::vector<Xy<double>>& points,
+                                      double more_error = 0) const {
     double least = UNBOUNDED;
     for (const Xy<double>& q : points) {
-      const double error = p.error + parts_.error() + 4 * HALF_ULP * parts_.size();
+      const double error = p.error + parts_.error() + more_error + 4 * HALF_ULP * parts_.size();
       const Xy<double> far = q - p.point;
       const double reach = euclidean_norm(far) + p.way + error,
-                   height = dot(p.normal, far) - p.way - p.angle * reach - 2 * error;
+                   height = dot(p.normal, far) - 2 * error - p.angle * (reach + p.way);
       if (height > 0) least = (std::min)(least, reach * reach / (2 * height) * ROUNDED_UP<16>);
     }
     return least;

@@ -49,9 +49,10 @@ class Axis_prover {
   }
 
  private:
-  static constexpr double NEAR = 1.5;        // times what is seen: goals
-  static constexpr double SHORT = 1.0 / 16;  // of eps: longer lines are never left out
-  static constexpr double LEAST = 0x1p-42;   // of the size: shorter parts of the boundary are left out
+  static constexpr double NEAR = 1.5;          // times what is seen: goals
+  static constexpr double SHORT = 1.0 / 16;    // of eps: longer lines are never left out
+  static constexpr double LEAST = 0x1p-42;     // of the size: shorter parts of the boundary are left out
+  static constexpr int MOST_PARTED = 1 << 18;  // lines within one that is given: a bound that needs more is not got
 
   [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
     Edge_bound result;
@@ -88,6 +89,7 @@ class Axis_prover {
     const double goal = (std::min)(eps_, NEAR * seen + FLOOR * size_);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
+      left_to_part_ = MOST_PARTED;
       l.result = parted(l.line, l.line, goal, 0, l.result);
       result.bound = (std::max)(result.bound, l.result.bound);
       is_in_order = is_in_order && l.result.is_in_order;
@@ -129,13 +131,14 @@ class Axis_prover {
   };
   // Discs between part the line: the axis is near lines between these, and they are near the given one.
   [[nodiscard]] Line_prover::Result parted(const Axis_line& line, const Axis_line& whole, double goal, int halvings,
-                                           const Line_prover::Result& own) const {
+                                           const Line_prover::Result& own) {
     constexpr int MOST_HALVINGS = 24, ENOUGH = 4;
     constexpr double LITTLE = 0.75;
     // halves of a line that is too long have ends that are off by more than the goal
     const double most = own.off < eps_ ? eps_ : Line_prover::UNBOUNDED,
                  wanted = own.off > goal ? (std::min)(NEAR * own.off, most) : goal;
-    if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS) return own;
+    if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS || left_to_part_ == 0) return own;
+    --left_to_part_;
     const auto middle = prover_.middle(line);
     if (!middle) return own;
     Axis_line halves[2] = {line, line};
@@ -281,6 +284,7 @@ class Axis_prover {
   std::vector<Feet> feet_;                        // of each vertex
   std::vector<std::size_t> on_arcs_;              // vertices that may touch one
   std::vector<Proved_line> lines_;
+  int left_to_part_ = 0;
 };
 
 }  // namespace

@@ -206,13 +206,22 @@ class Wall_joiner {
     return found ? euclidean_norm(found->point - q) : HUGE_VAL;
   }
 
-  // Which sides of walls have a region: those in rings, but where walls are one.
+  // Which sides of walls have a region, and what follows them: those in rings, but where walls are one.
   void find_sides() {
     has_region_.assign(2 * walls_.size(), 0);
-    for (const Bounding_ring& ring : parts_.rings)
-      for (const Directed_segment& s : ring.way)
-        for (std::uint32_t w = first_wall_[s.segment]; w < first_wall_[s.segment + 1]; ++w)
-          has_region_[2 * w + s.is_reversed] = 1;
+    next_.assign(2 * walls_.size(), NONE);
+    for (const Bounding_ring& ring : parts_.rings) {
+      std::vector<Wall_side> sides;
+      for (const Directed_segment& s : ring.way) {
+        const std::uint32_t first = first_wall_[s.segment], end = first_wall_[s.segment + 1];
+        for (std::uint32_t i = first; i < end; ++i)
+          sides.push_back(s.is_reversed ? 2 * (end - 1 - (i - first)) + 1 : 2 * i);
+      }
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        has_region_[sides[i]] = 1;
+        next_[sides[i]] = sides[(i + 1) % sides.size()];
+      }
+    }
     std::map<std::uint32_t, std::vector<std::uint32_t>> others;  // by the wall that stands for them
     for (std::uint32_t w = 0; w < walls_.size(); ++w)
       if (walls_[w].same != NONE && walls_[w].same != w) others[walls_[w].same].push_back(w);
@@ -250,19 +259,8 @@ class Wall_joiner {
   }
   [[nodiscard]] bool has_region(Wall_side s) const { return has_region_[s] != 0; }
 
-  // Where nothing was joined a ring goes on as it did. Elsewhere it goes on with the next wall clockwise.
+  // Where walls were joined a ring goes on with the next wall clockwise, and elsewhere as it did.
   void link() {
-    next_.assign(2 * walls_.size(), NONE);
-    for (const Bounding_ring& ring : parts_.rings)
-      for (std::size_t i = 0; i < ring.way.size(); ++i) {
-        const Directed_segment &s = ring.way[i], &after = ring.way[(i + 1) % ring.way.size()];
-        for (std::uint32_t w = first_wall_[s.segment]; w + 1 < first_wall_[s.segment + 1]; ++w)
-          if (s.is_reversed) next_[2 * w + 3] = 2 * w + 1;
-          else next_[2 * w] = 2 * w + 2;
-        const std::uint32_t last = s.is_reversed ? first_wall_[s.segment] : first_wall_[s.segment + 1] - 1,
-                            first = after.is_reversed ? first_wall_[after.segment + 1] - 1 : first_wall_[after.segment];
-        next_[2 * last + s.is_reversed] = 2 * first + after.is_reversed;
-      }
     std::map<std::uint32_t, std::vector<Wall_side>> leaving;  // by touched joint
     for (std::uint32_t w = 0; w < walls_.size(); ++w) {
       if (walls_[w].same != w) continue;
@@ -383,20 +381,12 @@ class Wall_joiner {
   [[nodiscard]] static Bezier_curve_2<double> moved(const Bezier_curve_2<double>& curve, const Spiral_piece_2& piece,
                                                     const Xy<double>& first, const Xy<double>& last) {
     const int n = curve.degree();
-    const auto mean = [&](double t) {
-      if (!curve.is_rational()) return t;
-      double sum = 0, all = 0, basis = std::pow(1 - t, n);
-      for (int i = 0; i <= n; ++i) {
-        if (t < 1) {
-          if (i > 0) basis *= t / (1 - t) * (n - i + 1) / i;
-        } else basis = i == n ? 1 : 0;
-        sum += curve.weight(i) * basis * i / n, all += curve.weight(i) * basis;
-      }
-      return sum / all;
-    };
-    const double l0 = mean(piece.first.t), l1 = mean(piece.last.t);
+    std::vector<Xy<double>> points;
+    for (int i = 0; i <= n; ++i) points.push_back({static_cast<double>(i) / n, 0});
+    const Bezier_curve_2<double> mean(std::move(points), curve.weights());
+    const double l0 = mean.point(piece.first.t).x, l1 = mean.point(piece.last.t).x;
     const Xy<double> b = (1 / (l1 - l0)) * (last - first), a = first - l0 * b;
-    std::vector<Xy<double>> points = curve.control_points();
+    points = curve.control_points();
     for (int i = 0; i <= n; ++i) points[i] = points[i] + (a + (static_cast<double>(i) / n) * b);
     return Bezier_curve_2<double>(std::move(points), curve.weights());
   }

@@ -19,7 +19,6 @@
 #include "Axis_builder.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
-#include "order_by_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,23 +57,6 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
   axis.status = Medial_axis_status::UNRESOLVED;
 }
 
-// Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Those within a sixteenth of
-// eps of the next one are not needed, and are left out where their discs have a curve in them.
-template <class Is_empty>
-void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_sample>& samples) {
-  const auto is_near = [&](const Medial_sample& a, const Medial_sample& b) {
-    return euclidean_norm(a.center - b.center) <= eps / 16;
-  };
-  std::size_t kept = 1;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const bool is_needed = i + 1 == samples.size() ||
-                           !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
-                           is_empty(samples[i].center, samples[i].radius);
-    if (is_needed) samples[kept++] = samples[i];
-  }
-  samples.resize(kept);
-}
-
 // Whether a sample is far from the chord of those beside it, as places of rounding are.
 [[nodiscard]] bool is_outlier(const std::vector<Medial_sample>& samples, std::size_t i, double eps) {
   if (i == 0 || i + 1 == samples.size()) return false;
@@ -95,33 +77,28 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     return !search.result().has_value();
   };
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
-  const std::vector<std::uint32_t> edges = order_by_place(
-      axis.edges.size(), [&](std::uint32_t i) { return axis.edges[i].samples.front().center; }, boundary.size());
-  loop_over_ranges(loop, axis.edges.size(), [&](std::size_t begin, std::size_t end) {
+  const auto check_edge = [&](std::size_t edge) {
     constexpr std::size_t STEP = 8;
-    for (; begin < end; ++begin) {
-      std::vector<Medial_sample>& samples = axis.edges[edges[begin]].samples;
-      leave_samples_out(is_empty, axis.eps, samples);
-      char& is_wrong = is_wrong_edge[edges[begin]];
-      for (std::size_t i = 1; i + 1 < samples.size() && is_wrong == 0; ++i) {
-        const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
-                                  is_outlier(samples, i, axis.eps);
-        if (is_looked_at && !is_empty(samples[i].center, samples[i].radius)) is_wrong = 1;
-      }
+    const std::vector<Medial_sample>& samples = axis.edges[edge].samples;
+    for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
+      const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
+                                is_outlier(samples, i, axis.eps);
+      if (is_looked_at && !is_empty(samples[i].center, samples[i].radius)) is_wrong_edge[edge] = 1;
     }
-  });
-  const std::vector<std::uint32_t> vertices = order_by_place(
-      axis.vertices.size(), [&](std::uint32_t i) { return axis.vertices[i].center; }, boundary.size());
-  loop_over_ranges(loop, axis.vertices.size(), [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; ++begin) {
-      Medial_vertex& v = axis.vertices[vertices[begin]];
-      const auto closest =
-          v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front());
-      v.clearance = closest->distance;
-      const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
-      if (!is_known_empty && !is_empty(v.center, v.radius)) is_wrong_vertex[vertices[begin]] = 1;
-    }
-  });
+  };
+  for_each_by_place(
+      loop, RANGE_SIZE, axis.edges.size(), [&](std::size_t i) { return axis.edges[i].samples.front().center; },
+      check_edge);
+  const auto check_vertex = [&](std::size_t vertex) {
+    Medial_vertex& v = axis.vertices[vertex];
+    v.clearance =
+        (v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front()))
+            ->distance;
+    const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
+    if (!is_known_empty && !is_empty(v.center, v.radius)) is_wrong_vertex[vertex] = 1;
+  };
+  for_each_by_place(
+      loop, RANGE_SIZE, axis.vertices.size(), [&](std::size_t i) { return axis.vertices[i].center; }, check_vertex);
   leave_out(is_wrong_vertex, is_wrong_edge, axis);
   for (const Medial_vertex& v : axis.vertices)
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
