@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include "../tree/Instruction_sets.h"
 
 #include <cmath>
 
