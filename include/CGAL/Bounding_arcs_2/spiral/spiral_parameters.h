@@ -50,13 +50,15 @@ template <class NT, class Work> [[nodiscard]] auto with_cut_numbers(const Bezier
   std::optional<Layered_curve<NT>> layered;
   const auto made = [&]() -> Layered_curve<NT>& { return layered ? *layered : layered.emplace(curve); };
   const auto& p = curve.control_points();
-  return work(
-      Cut_numbers{[&made]() -> const Curve_numbers<Double_double>& { return made().fine(); },
-                  [&made](Numerator which) {
-                    using Ring = typename Layered_curve<NT>::Ring;
-                    return Root_oracle(Numerator_builder<Ring>(made().exact())(which));
-                  },
-                  [&p](bool at_start) { return at_start ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]; }});
+  const auto fine = [&made]() -> const Curve_numbers<Double_double>& { return made().fine(); };
+  const auto exact = [&made](Numerator which) {
+    using Ring = typename Layered_curve<NT>::Ring;
+    return Root_oracle(Numerator_builder<Ring>(made().exact())(which));
+  };
+  const auto has_double_end = [&p](bool at_start) {
+    return at_start ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2];
+  };
+  return work(Cut_numbers{fine, exact, has_double_end});
 }
 
 /// Cuts a curve that no other way is known for.
