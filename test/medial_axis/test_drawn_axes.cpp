@@ -221,6 +221,16 @@ TEST(DrawnShapes, WithWaysThroughGapsAreProven) {
   }
 }
 
+// Two straight sides leave a corner within an angle of 1e-12: discs between them are no larger than that is wide.
+TEST(DrawnShapes, WithSliversOfStraightSidesAreProven) {
+  for (const unsigned seed : {196U, 774U, 993U}) {
+    std::mt19937 random(seed);
+    const Axis_case drawn = in_frame(random, loose_lines(random));
+    const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
+    EXPECT_TRUE(ba::axis_certificate(ba::Bounding_arc_tree_2(drawn.drawing), axis).is_proven()) << "seed " << seed;
+  }
+}
+
 ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
 
 // The centers are its ends: a disc about either touches all of the circle that bounds the union.

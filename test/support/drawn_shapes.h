@@ -265,7 +265,7 @@ inline constexpr Drawn_kind DRAWN_KINDS[] = {
     {"FramedRandom", framed_shapes<false>, 99},
     {"FramedSymmetric", [](std::mt19937& random) { return in_frame(random, symmetric_shapes(random)); }, 99},
     {"FramedTouching", [](std::mt19937& random) { return in_frame(random, any_touching_circles(random)); }, 99},
-    {"LooseLines", [](std::mt19937& random) { return in_frame(random, loose_lines(random)); }, 97},
+    {"LooseLines", [](std::mt19937& random) { return in_frame(random, loose_lines(random)); }, 99},
     {"ArcsOfACircle", [](std::mt19937& random) { return in_frame(random, arcs_of_a_circle(random)); }, 99},
     {"Fillets", [](std::mt19937& random) { return filled(random, rounded_rectangle(random)); }, 99},
 };

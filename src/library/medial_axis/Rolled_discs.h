@@ -83,13 +83,16 @@ class Rolled_discs {
   //        c    |          --- o   segment twice at most.  So the chord meets none of the sides again if o is on the
   //            x1 ____x____---     side of it where both leave.  Sides do not cross, so it closes the tip, and with the
   //                                triangle from it to c it is the cell.
-  // Let l be the longest way along a side, and p a place on y.  The normal there leaves the tip
-  //   in a side, at most 2 l away, which a disc that touches in p does not hold: its radius is at most l;
-  //   or in the chord, in z, with the center before z: the radius is at most |z - p| <= 2 l;
-  //   or beyond z.  The disc holds neither x1 nor y1, so |p - z| <= |z - x1| and |z - y1|.  With D the chord's length,
+  // Let l be the longest way along a side, D the chord's length, a what directions along both sides, from the chord on,
+  // differ by, and p a place on y.  No place of the tip is farther from p along the normal n there than 2 l, nor than
+  // w = D + 2 l a: along y, the chord and x.  The normal leaves the tip
+  //   in a side, which a disc that touches in p does not hold: its radius is at most w / 2;
+  //   or in the chord, in z, with the center before z: the radius is at most |z - p| <= w;
+  //   or beyond z.  The disc holds neither x1 nor y1, so |p - z| <= |z - x1| and |z - y1|.
   //   |p - x1| <= D and |p - y1| <= D, so n.(x1 - p) >= n1.(x1 - y1) - 2 D a, a the angle by which y turns, and the
   //   radius is at most D^2 / (2 n.(x1 - p)).
-  // From the corner, a disc of radius 0, that is at most l and twice the radius.
+  // From the corner, a disc of radius 0, that is at most l and twice the radius.  From the line it is at most what x1
+  // and y1 are from c, l a, by which a side is off its chord, and the larger one of both radii, and the radius.
   [[nodiscard]] double tip_bound(const Axis_line& line, const Line_part& a, const Line_part& b) const {
     const bool is_first = line.first.radius == 0;
     if (a.is_point || b.is_point || (!is_first && line.last.radius != 0)) return UNBOUNDED;
@@ -106,7 +109,7 @@ class Rolled_discs {
         !is_left(x.begin.tangent, tangent_error + error / length) ||
         !is_left(-y.end.tangent, tangent_error + error / length) || !is_left(y.end.point - c, -2 * error))
       return UNBOUNDED;
-    double longest = 0, radius = 0;
+    double longest = 0, radius = 0, turn = euclidean_norm(x.begin.tangent + y.end.tangent) + 2 * tangent_error;
     for (const Line_part* p : {&x, &y}) {
       const Spiral_sample &end = p == &x ? x.begin : y.end, &corner = p == &x ? x.end : y.begin;
       const Bent bent = bent_between(end, corner, p->error);
@@ -115,9 +118,15 @@ class Rolled_discs {
       if (!(height > 0)) return UNBOUNDED;
       longest = (std::max)(longest, bent.length + NEAR * parts_.size());
       radius = (std::max)(radius, length * length / (2 * height));
+      turn += bent.angle;
     }
+    const double from_center = (std::max)(euclidean_norm(x.begin.point - c), euclidean_norm(y.end.point - c)),
+                 own = is_first ? line.last.radius : line.first.radius;
+    radius = (std::max)((std::min)(2 * longest, length + 2 * longest * turn), radius);
     // between sides that are nearly parallel the center is on the chord, or past it within rounding
-    return (longest + 2 * (std::max)(2 * longest, radius) + 4 * error) * ROUNDED_UP<16>;
+    const double from_corner = longest + 2 * radius,
+                 from_line = from_center + longest * turn + NEAR * parts_.size() + radius + (std::max)(own, radius);
+    return ((std::min)(from_corner, from_line) + 4 * error) * ROUNDED_UP<16>;
   }
 
  private:
