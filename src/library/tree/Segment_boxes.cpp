@@ -23,10 +23,12 @@ CGAL::Bbox_2 Segment_boxes::box() const { return tree_->box(); }
 CGAL::Bbox_2 Segment_boxes::box(std::size_t slot) const {
   return tree_->node(static_cast<std::uint32_t>(slot / Box_tree::WIDTH)).box(slot % Box_tree::WIDTH);
 }
-std::size_t Segment_boxes::number_of_children(std::uint32_t node) const { return tree_->node(node).size; }
-Segment_boxes::Child Segment_boxes::child(std::uint32_t node, std::size_t k) const {
+Segment_boxes::Children Segment_boxes::children(std::uint32_t node) const {
+  static_assert(sizeof(Children::child) / sizeof(Child) == Box_tree::WIDTH);
   const Box_tree::Node& n = tree_->node(node);
-  return {n.child[k], n.is_item(k), node * Box_tree::WIDTH + k};
+  Children below{{}, n.size};
+  for (std::size_t k = 0; k < n.size; ++k) below.child[k] = {n.child[k], n.is_item(k), node * Box_tree::WIDTH + k};
+  return below;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

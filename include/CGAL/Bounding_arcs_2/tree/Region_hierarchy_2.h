@@ -287,10 +287,9 @@ class Region_hierarchy_2 {
       else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
       else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
     } else {
-      const auto node = static_cast<std::uint32_t>(h.index);
-      const internal::Segment_boxes& all = boxes();
-      for (std::size_t k = 0; k < all.number_of_children(node); ++k) {
-        const auto below = all.child(node, k);
+      const auto all = boxes().children(static_cast<std::uint32_t>(h.index));
+      for (std::size_t k = 0; k < all.size; ++k) {
+        const auto& below = all.child[k];
         Node_handle child;
         child.index = below.number;
         child.place = below.slot;

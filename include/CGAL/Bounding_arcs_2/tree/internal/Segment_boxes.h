@@ -29,6 +29,11 @@ class Segment_boxes {
     bool is_segment;
     std::size_t slot;
   };
+  /// What is below a node.
+  struct Children {
+    Child child[4];
+    std::size_t size;
+  };
 
   explicit Segment_boxes(const std::vector<CGAL::Bbox_2>& segments);
 
@@ -37,8 +42,7 @@ class Segment_boxes {
   /// The box of all. \pre there are segments
   [[nodiscard]] CGAL::Bbox_2 box() const;
   [[nodiscard]] CGAL::Bbox_2 box(std::size_t slot) const;
-  [[nodiscard]] std::size_t number_of_children(std::uint32_t node) const;
-  [[nodiscard]] Child child(std::uint32_t node, std::size_t k) const;
+  [[nodiscard]] Children children(std::uint32_t node) const;
 
  private:
   std::shared_ptr<const Box_tree> tree_;
