@@ -11,8 +11,8 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
-#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ template <class Traits, class Spiral>
   for (std::size_t i = 0; i < regions.spirals().size(); ++i) {
     const Spiral& spiral = regions.spirals()[i];
     constexpr double RESOLVED = 4;  // widenings: errors do not fall below one, however short an arc is
-    const double widening = widening_of_single_regions(spiral), last = spiral.last(),
+    const double widening = internal::widening_of_single_regions(spiral), last = spiral.last(),
                  target = (std::max)(eps, RESOLVED * widening);
     const auto arc_of = [&](double t0, double t1, const Xy<double>& from) {
       Arc_region_2 region = arc_region(Bca(), spiral, t0, t1, from, spiral.template point<double>(t1));

@@ -17,7 +17,7 @@
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -77,16 +77,16 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
   best.distance.upper = std::numeric_limits<double>::infinity();
   double settled = best.distance.upper;  // lower bound of the pieces that cannot be halved
   const auto add_point = [&](const Xy<double>& p, std::uint32_t segment, double t) {
-    const double upper =
-        (euclidean_norm(p - asked.point) + widening_of_single_regions(regions.spirals()[segment]) + asked.error) *
-        ROUNDED_UP<8>;
+    const double upper = (euclidean_norm(p - asked.point) +
+                          internal::widening_of_single_regions(regions.spirals()[segment]) + asked.error) *
+                         ROUNDED_UP<8>;
     if (upper < best.distance.upper) best = {{0, upper}, p, segment, t};
   };
   const auto add_piece = [&](std::uint32_t segment, double t0, double t1, const Xy<double>& from,
                              const Xy<double>& to) {
     const Spiral& spiral = regions.spirals()[segment];
     Arc_region_2 region = arc_region(Bca(), spiral, t0, t1, from, to);
-    region.widening = widening_of_single_regions(spiral);
+    region.widening = internal::widening_of_single_regions(spiral);
     const double lower = (std::max)(0.0, (distance_bounds(asked.point, region).lower - asked.error) * ROUNDED_DOWN<2>);
     const double middle = t0 + (t1 - t0) / 2;
     const bool is_last = !(t0 < middle && middle < t1) || euclidean_norm(to - from) <= region.widening;
