@@ -21,8 +21,6 @@
 #include <variant>
 
 namespace CGAL::Bounding_arcs::internal {
-namespace {
-
 /// Makes the regions of one segment one by one.
 class Plain_segment {
  public:
@@ -111,6 +109,8 @@ template <class Arcs> class Batch_segment {
   Plain_segment plain_;
   filter::Arc_filter<Arcs> filter_;
 };
+
+namespace {
 
 void resize_columns(Region_columns& to, std::size_t size, bool has_joints) {
   for (auto* column : {&to.t, &to.x, &to.y, &to.inner.bulge, &to.outer.bulge}) column->resize(size);
