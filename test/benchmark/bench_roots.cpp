@@ -18,6 +18,7 @@
 #include <ctime>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,11 @@ std::vector<ba::Univariate> random_polynomials(std::size_t count, int degree, in
 
 Core_polynomial converted(const ba::Univariate& p) {
   std::vector<Core_integer> c;
-  for (int i = 0; i <= p.degree(); ++i) c.emplace_back(ba::coefficient(p, i).get_str().c_str());
+  for (int i = 0; i <= p.degree(); ++i) {
+    std::ostringstream digits;
+    digits << ba::coefficient(p, i);
+    c.emplace_back(digits.str().c_str());
+  }
   return {c.begin(), c.end()};
 }
 

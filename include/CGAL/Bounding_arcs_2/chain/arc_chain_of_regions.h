@@ -9,14 +9,13 @@
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs {
@@ -40,41 +39,32 @@ template <class Traits, class Spiral>
   static_assert(std::is_same_v<typename Traits::FT, double>, "arc_chain takes regions over double");
   check_above_zero("eps", eps);
   Arc_chain chain;
-  for (std::size_t i = 0; i < regions.spirals().size(); ++i) {
-    const Spiral& spiral = regions.spirals()[i];
+  for (std::uint32_t i = 0; i < regions.spirals().size(); ++i) {
+    const double first = regions.spirals()[i].first(), last = regions.spirals()[i].last();
     constexpr double RESOLVED = 4;  // widenings: errors do not fall below one, however short an arc is
-    const double widening = internal::widening_of_single_regions(spiral), last = spiral.last(),
-                 target = (std::max)(eps, RESOLVED * widening);
-    const auto arc_of = [&](double t0, double t1, const Xy<double>& from) {
-      Arc_region_2 region = arc_region(Bca(), spiral, t0, t1, from, spiral.template point<double>(t1));
-      region.widening = widening;
+    double target = eps;
+    const auto arc_of = [&](double t0, double t1) {
+      const Arc_region_2 region = regions.bounding_arcs(i, t0, t1);
+      target = (std::max)(eps, RESOLVED * region.widening);
       const Fat_arc_2 fat = fat_arc(region);
-      Chain_arc_2 arc;
-      static_cast<Arc_2&>(arc) = fat.arc;
-      arc.t0 = t0;
-      arc.t1 = t1;
-      arc.error = fat.radius;
-      arc.spiral = i;
-      return arc;
+      return Chain_arc_2{fat.arc, t0, t1, fat.radius, i};
     };
-    double step = last - spiral.first();
-    Xy<double> from = spiral.template point<double>(spiral.first());
-    for (double t = spiral.first(); t < last;) {
+    double step = last - first;
+    for (double t = first; t < last;) {
       // The error grows with the cube of the length.
       constexpr double SHORTER = 0.97, LEAST = 0.125, MOST = 2;
       const auto scale = [&](double error) { return std::clamp(SHORTER * std::cbrt(target / error), LEAST, MOST); };
-      Chain_arc_2 arc = arc_of(t, t + step < last ? t + step : last, from);
+      Chain_arc_2 arc = arc_of(t, t + step < last ? t + step : last);
       while (!(arc.error <= target)) {
         const double next = t + (arc.t1 - t) * (std::min)(SHORTER, scale(arc.error));
         if (!(t < next && next < arc.t1)) break;
-        arc = arc_of(t, next, from);
+        arc = arc_of(t, next);
       }
       if (chain.arcs.size() == max_arcs) return {{}, 0, Build_status::REGION_LIMIT};
       chain.arcs.push_back(arc);
       chain.error = (std::max)(chain.error, arc.error);
       step = (arc.t1 - t) * scale(arc.error);
       t = arc.t1;
-      from = arc.to;
     }
   }
   if (chain.error > eps) chain.status = Build_status::RESOLUTION_REACHED;

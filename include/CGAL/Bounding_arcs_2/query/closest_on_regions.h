@@ -14,10 +14,8 @@
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
-#include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -69,43 +67,34 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
     std::optional<Node_handle> box;  // else a piece:
     std::uint32_t segment;
     double t0, t1;
-    Xy<double> from, to;
     [[nodiscard]] bool operator<(const Candidate& other) const { return lower > other.lower; }  // the nearest on top
   };
   std::priority_queue<Candidate> open;
   Closest_on_segment<Xy<double>> best;
   best.distance.upper = std::numeric_limits<double>::infinity();
   double settled = best.distance.upper;  // lower bound of the pieces that cannot be halved
-  const auto add_point = [&](const Xy<double>& p, std::uint32_t segment, double t) {
-    const double upper = (euclidean_norm(p - asked.point) +
-                          internal::widening_of_single_regions(regions.spirals()[segment]) + asked.error) *
-                         ROUNDED_UP<8>;
+  const auto add_point = [&](const Xy<double>& p, double widening, std::uint32_t segment, double t) {
+    const double upper = (euclidean_norm(p - asked.point) + widening + asked.error) * ROUNDED_UP<8>;
     if (upper < best.distance.upper) best = {{0, upper}, p, segment, t};
   };
-  const auto add_piece = [&](std::uint32_t segment, double t0, double t1, const Xy<double>& from,
-                             const Xy<double>& to) {
-    const Spiral& spiral = regions.spirals()[segment];
-    Arc_region_2 region = arc_region(Bca(), spiral, t0, t1, from, to);
-    region.widening = internal::widening_of_single_regions(spiral);
+  const auto add_piece = [&](std::uint32_t segment, double t0, double t1) {
+    const Arc_region_2 region = regions.bounding_arcs(segment, t0, t1);
+    add_point(region.from, region.widening, segment, t0);
+    add_point(region.to, region.widening, segment, t1);
     const double lower = (std::max)(0.0, (distance_bounds(asked.point, region).lower - asked.error) * ROUNDED_DOWN<2>);
     const double middle = t0 + (t1 - t0) / 2;
-    const bool is_last = !(t0 < middle && middle < t1) || euclidean_norm(to - from) <= region.widening;
+    const bool is_last = !(t0 < middle && middle < t1) || euclidean_norm(region.to - region.from) <= region.widening;
     if (is_last) settled = (std::min)(settled, lower);
-    else if (lower < best.distance.upper) open.push({lower, std::nullopt, segment, t0, t1, from, to});
+    else if (lower < best.distance.upper) open.push({lower, std::nullopt, segment, t0, t1});
   };
   const auto add_node = [&](const Node_handle& h) {
-    if (h.is_region) {
-      const Spiral& s = regions.spirals()[h.spiral];
-      const Xy<double> from = s.template point<double>(s.first()), to = s.template point<double>(s.last());
-      add_point(from, h.spiral, s.first());
-      add_point(to, h.spiral, s.last());
-      return add_piece(h.spiral, s.first(), s.last(), from, to);
-    }
+    if (h.is_region)
+      return add_piece(h.spiral, regions.spirals()[h.spiral].first(), regions.spirals()[h.spiral].last());
     const CGAL::Bbox_2 box = regions.box(h);
     const double x = (std::max)({box.xmin() - asked.point.x, asked.point.x - box.xmax(), 0.0}),
                  y = (std::max)({box.ymin() - asked.point.y, asked.point.y - box.ymax(), 0.0});
-    open.push(
-        {(std::max)(0.0, (euclidean_norm(Xy<double>{x, y}) - asked.error) * ROUNDED_DOWN<8>), h, 0, 0, 0, {}, {}});
+    const double lower = (euclidean_norm(Xy<double>{x, y}) - asked.error) * ROUNDED_DOWN<8>;
+    open.push({(std::max)(0.0, lower), h, 0, 0, 0});
   };
   add_node(regions.root());
   while (!open.empty() && open.top().lower < best.distance.upper - eps) {
@@ -116,10 +105,8 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
       continue;
     }
     const double middle = c.t0 + (c.t1 - c.t0) / 2;
-    const Xy<double> at = regions.spirals()[c.segment].template point<double>(middle);
-    add_point(at, c.segment, middle);
-    add_piece(c.segment, c.t0, middle, c.from, at);
-    add_piece(c.segment, middle, c.t1, at, c.to);
+    add_piece(c.segment, c.t0, middle);
+    add_piece(c.segment, middle, c.t1);
   }
   best.distance.lower = (std::min)({settled, open.empty() ? settled : open.top().lower, best.distance.upper});
   if (best.distance.width() > eps) best.status = Query_status::RESOLUTION_REACHED;

@@ -10,6 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
@@ -18,6 +20,7 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/Filtered_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_boxes.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
@@ -350,6 +353,14 @@ class Region_hierarchy_2 {
   [[nodiscard]] Region region(const Region_node& n) const {
     return traits_.construct_bounding_region_2_object()(spirals_[n.spiral].template frame<typename Traits::FT>(
         n.t0, n.t1, shape_parts<typename Traits::Construction>()));
+  }
+  /// Returns bounding circular arcs of any piece of a segment, whatever regions are kept. The exact curve is within the
+  /// widening of them. \pre FT is double
+  [[nodiscard]] Arc_region_2 bounding_arcs(std::uint32_t segment, double t0, double t1) const {
+    const Spiral& s = spirals_[segment];
+    Arc_region_2 arcs = arc_region(Bca(), s, t0, t1, s.template point<double>(t0), s.template point<double>(t1));
+    arcs.widening = internal::widening_of_single_regions(s);
+    return arcs;
   }
 
  private:
