@@ -155,8 +155,8 @@ class Leaf_finder {
     if (leaf.radius == 0 || (leaf.radius < boundary_.largest_radius() && is_empty(leaf))) leaves.push_back(leaf);
   }
 
-  // Curvature falls off from the leaf's: elements beside it stay outside of the disc (Kneser), where rounding may not
-  // tell. Anything else might be in it.
+  // What falls off from the largest curvature stays outside of the disc (Kneser), however many elements it runs
+  // through; anything else might be in it.
   struct All_but {
     const Axis_boundary& boundary;
     std::uint32_t first, last;  // elements, in order around the ring
@@ -170,10 +170,32 @@ class Leaf_finder {
       return first <= last ? first <= e && e <= last : e >= first || e <= last;
     }
   };
-  [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
+  // The elements beside the leaf's, and more of them for as long as curvature falls without a corner.
+  [[nodiscard]] All_but others_of(const Axis_leaf& leaf) const {
     const Boundary_element &e = boundary_.element(leaf.first.element), &f = boundary_.element(leaf.last.element);
-    const All_but others{boundary_, leaf.first.u == e.first ? boundary_.before(leaf.first.element) : leaf.first.element,
-                         leaf.last.u == f.last ? boundary_.after(leaf.last.element) : leaf.last.element};
+    All_but others{boundary_, leaf.first.u == e.first ? boundary_.before(leaf.first.element) : leaf.first.element,
+                   leaf.last.u == f.last ? boundary_.after(leaf.last.element) : leaf.last.element};
+    while (boundary_.after(others.last) != others.first && falls_on<true>(others.last))
+      others.last = boundary_.after(others.last);
+    while (boundary_.before(others.first) != others.last && falls_on<false>(others.first))
+      others.first = boundary_.before(others.first);
+    return others;
+  }
+  // Whether curvature falls along an element, at its far end and along the next one.
+  template <bool IS_FORWARD> [[nodiscard]] bool falls_on(std::uint32_t e) const {
+    const std::uint32_t next = IS_FORWARD ? boundary_.after(e) : boundary_.before(e);
+    if (boundary_.element(e).is_corner || boundary_.element(next).is_corner) return false;
+    if (boundary_.element(IS_FORWARD ? e : next).is_before_tip()) return false;
+    const auto end = [&](std::uint32_t i, bool is_far) {
+      const Boundary_element& element = boundary_.element(i);
+      return end_at({i, is_far == IS_FORWARD ? element.last : element.first});
+    };
+    const End near = end(e, false), joint = end(e, true), behind = end(next, false), far = end(next, true);
+    const auto is_below = [](const End& a, const End& b) { return a.value < b.value && !are_same(a, b); };
+    return is_below(joint, near) && (behind.value <= joint.value || are_same(behind, joint)) && is_below(far, behind);
+  }
+  [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
+    const All_but others = others_of(leaf);
     const Boundary_jet jet = boundary_(leaf.first);
     Disc_search<All_but> search(boundary_, others, jet.point, jet.normal(), leaf.radius);
     search.search();

@@ -57,6 +57,23 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
   axis.status = Medial_axis_status::UNRESOLVED;
 }
 
+// Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Those within a sixteenth of
+// eps of the next one are not needed, and are left out where their discs have a curve in them.
+template <class Is_empty>
+void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_sample>& samples) {
+  const auto is_near = [&](const Medial_sample& a, const Medial_sample& b) {
+    return euclidean_norm(a.center - b.center) <= eps / 16;
+  };
+  std::size_t kept = 1;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const bool is_needed = i + 1 == samples.size() ||
+                           !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
+                           is_empty(samples[i].center, samples[i].radius);
+    if (is_needed) samples[kept++] = samples[i];
+  }
+  samples.resize(kept);
+}
+
 // Whether a sample is far from the chord of those beside it, as places of rounding are.
 [[nodiscard]] bool is_outlier(const std::vector<Medial_sample>& samples, std::size_t i, double eps) {
   if (i == 0 || i + 1 == samples.size()) return false;
@@ -79,7 +96,8 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
     constexpr std::size_t STEP = 8;
-    const std::vector<Medial_sample>& samples = axis.edges[edge].samples;
+    std::vector<Medial_sample>& samples = axis.edges[edge].samples;
+    leave_samples_out(is_empty, axis.eps, samples);
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
                                 is_outlier(samples, i, axis.eps);
