@@ -26,12 +26,17 @@ struct Bounding_ring {
   bool is_outer = true;  ///< the region is within it
 };
 
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+/// Parts of curves that bound regions, and the rings that they make.
 struct Bounding_parts {
-  Segment_hierarchy segments;           ///< the parts, in the order of the curves
-  std::vector<Bounding_ring> rings;     ///< a wall has its two sides in them
-  std::vector<std::uint32_t> left_out;  ///< curves that bound nothing
-  double moved = 0;                     ///< how far ends of parts may be from those of the next ones in rings
-  std::optional<Xy<double>> undecided;  ///< where doubles leave open how curves meet; then there is nothing else
+  Segment_hierarchy segments;                  ///< the parts, in the order of the curves
+  std::vector<internal::Bounding_ring> rings;  ///< a wall has its two sides in them
+  std::vector<std::uint32_t> left_out;         ///< curves that bound nothing
+  double moved = 0;                            ///< how far ends of parts may be from those of the next ones in rings
+  std::optional<Xy<double>> undecided;         ///< where doubles leave open how curves meet; then there is nothing else
   std::vector<std::uint32_t> joints{};  ///< a number for each end, 2 segment + (1 at its last one): the same in a joint
 
   /// Numbers joints: ends with one label are one, and where a ring goes on from a segment to the next both have one.
@@ -39,6 +44,10 @@ struct Bounding_parts {
   void number_joints(const std::vector<std::uint32_t>& labels);
   static constexpr std::uint32_t NO_LABEL = static_cast<std::uint32_t>(-1);
 };
+
+}  // namespace CGAL::Bounding_arcs
+
+namespace CGAL::Bounding_arcs::internal {
 
 [[nodiscard]] inline Xy<double> point_at(const Segment_hierarchy& curves, const Curve_place& p) {
   return curves.evaluator(curves.number_of_bezier(p.curve, p.bezier))(p.t).point;

@@ -25,7 +25,7 @@ using internal::sight;
 
 class Conic_maker {
  public:
-  Conic_maker(const internal::Bounding_parts& bounds, double size, double axis_eps, double eps)
+  Conic_maker(const Bounding_parts& bounds, double size, double axis_eps, double eps)
       : runs_(bounds, ROOM * size), parts_(bounds.segments, size), size_(size), axis_eps_(axis_eps), eps_(eps) {}
 
   [[nodiscard]] std::vector<Axis_conic> conics(const Medial_edge& e) const {

@@ -241,12 +241,22 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
   return with_close_walls_joined(std::move(result), sides, is_within, winding_at, close);
 }
 
+std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis, const Segment_hierarchy& curves) {
+  if (axis.bounds) return axis.bounds;
+  const double close = CLOSE_WALLS * coordinate_size(curves.drawing());
+  return std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options, close));
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
 void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
-  Joined_sets sets(2 * segments.number_of_segments());
+  internal::Joined_sets sets(2 * segments.number_of_segments());
   std::unordered_map<std::uint32_t, std::uint32_t> first;  // by label
   for (std::uint32_t e = 0; e < labels.size(); ++e)
     if (labels[e] != NO_LABEL) sets.join(e, first.emplace(labels[e], e).first->second);
-  for (const Bounding_ring& ring : rings)
+  for (const internal::Bounding_ring& ring : rings)
     for (std::size_t i = 0; i < ring.way.size(); ++i) {
       const Directed_segment &s = ring.way[i], &next = ring.way[(i + 1) % ring.way.size()];
       sets.join(2 * s.segment + (s.is_reversed ? 0 : 1), 2 * next.segment + (next.is_reversed ? 1 : 0));
@@ -255,10 +265,4 @@ void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
   for (std::uint32_t e = 0; e < joints.size(); ++e) joints[e] = sets.find(e);
 }
 
-std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis, const Segment_hierarchy& curves) {
-  if (axis.bounds) return axis.bounds;
-  const double close = CLOSE_WALLS * coordinate_size(curves.drawing());
-  return std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options, close));
-}
-
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

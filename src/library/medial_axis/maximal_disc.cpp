@@ -46,7 +46,7 @@ struct Not_segment {
 
 struct Maximal_discs_2::Boundary {
   const Bounding_arc_tree_2& curves;
-  internal::Bounding_parts bounds;
+  Bounding_parts bounds;
   internal::Axis_boundary boundary;
   internal::Foot_runs places;
 

@@ -18,9 +18,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-namespace internal {
 struct Bounding_parts;  // src/library/medial_axis/Bounding_parts.h
-}  // namespace internal
 
 /// A maximal disc where the axis ends or branches.
 struct Medial_vertex {
@@ -116,7 +114,7 @@ struct Medial_axis_2 {
   std::vector<std::uint32_t> left_out;  ///< curves that bound nothing, as the rule fills both of their sides
   Medial_axis_options options;          ///< what it is of
   /// The parts of curves that bound the regions. An axis that was read from a file has none: they are found again.
-  std::shared_ptr<const internal::Bounding_parts> bounds;
+  std::shared_ptr<const Bounding_parts> bounds;
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is

@@ -69,6 +69,15 @@ template <class Point = Xy<double>> struct Signed_distance {
   Curve_place place;
   Query_status status = Query_status::COMPLETE;
 
+  /// A distance with the sign of a side; 0 on a curve.
+  [[nodiscard]] static Signed_distance of(const Closest_point<Point>& found, const Uncertain<Bounded_side>& side) {
+    Bracket d = found.distance;
+    if (!is_certain(side)) d = {-d.upper, d.upper};
+    else if (side == ON_BOUNDARY) d = {0, 0};
+    else if (side == ON_BOUNDED_SIDE) d = {0 - d.upper, 0 - d.lower};  // no -0
+    return {d, side, found.point, found.place, found.status};
+  }
+
   template <class Other> operator Signed_distance<Other>() const {  // NOLINT: the same with another kernel's point
     return {distance, side, answered<Other>(point), place, status};
   }

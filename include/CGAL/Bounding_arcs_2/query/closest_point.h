@@ -8,30 +8,13 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
+#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <cstddef>
 #include <optional>
 #include <vector>
-
-namespace CGAL::Bounding_arcs::internal {
-
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-[[nodiscard]] std::vector<Closest_point<>> closest_points_of_all(const Bounding_arc_tree_2& curves,
-                                                                 const std::vector<Asked_point>& points) {
-  for (const Asked_point& q : points) check_point(q.point);
-  if (curves.empty()) return {};
-  std::vector<Closest_point<>> results(points.size());
-  for_each_range<ConcurrencyTag>(points.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      results[i] =
-          i == begin ? *closest_point(curves, points[i]) : *closest_point(curves, points[i], results[i - 1].place);
-  });
-  return results;
-}
-
-}  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
 
@@ -67,8 +50,16 @@ template <class Point = Default_kernel::Point_2>
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
 [[nodiscard]] std::vector<Closest_point<Element_of<Points>>> closest_points_of_all(const Bounding_arc_tree_2& tree,
                                                                                    const Points& points) {
-  return answered<Closest_point<Element_of<Points>>>(
-      internal::closest_points_of_all<ConcurrencyTag>(tree, asked(points)));
+  const std::vector<Asked_point> places = asked(points);
+  for (const Asked_point& q : places) check_point(q.point);
+  if (tree.empty()) return {};
+  std::vector<Closest_point<>> results(places.size());
+  for_each_range<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      results[i] = i == begin ? *internal::closest_point(tree, places[i])
+                              : *internal::closest_point(tree, places[i], results[i - 1].place);
+  });
+  return answered<Closest_point<Element_of<Points>>>(results);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
 #include <cstddef>
