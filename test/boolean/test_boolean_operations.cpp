@@ -283,6 +283,23 @@ TEST(BooleanOperations, TellTheOrderOfCurvesThatCrossNearlyAlongEachOther) {
     expect_outline(operands, operation, Fill_rule::NONZERO, random, 25, "curves");
 }
 
+// A curve meets another one and the first half of that: one of the three parameters is known less well than the others.
+TEST(BooleanOperations, HaveVerticesWhereTheBestKnownCurveHasThem) {
+  const Drawing drawings[] = {
+      drawing_of({Bezier({{0, -2}, {3, -2}, {1, -1}}), Bezier({{1, -1}, {-3, -2}, {-3, -2}, {0, -2}})}),
+      drawing_of({Bezier({{-2.125, -1.875}, {-2, -1.75}, {-1, -1.5}, {1, -1}}), Bezier({{1, -1}, {2, -1.5}, {0, -2}}),
+                  Bezier({{0, -2}, {2, 3}, {2, 2}, {-2.125, -1.875}})})};
+  const Outline_2 outline = ba::difference(ba::Bounding_arc_tree_2(drawings[0]), ba::Bounding_arc_tree_2(drawings[1]));
+  std::size_t vertices = 0;
+  for (const auto& chain : outline.chains)
+    for (const auto& part : chain.parts) {
+      const Point at = drawings[part.operand].curves()[part.curve].beziers[part.bezier].point(part.from.middle());
+      EXPECT_LE(std::hypot(at.x - part.start.x, at.y - part.start.y), 0x1p-50) << part.start.x << ' ' << part.start.y;
+      ++vertices;
+    }
+  EXPECT_GE(vertices, 3u);
+}
+
 // Circles that touch a thousand units away: doubles leave open how, and tell where and which.
 TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   Drawing first, second;

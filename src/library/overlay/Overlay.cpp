@@ -53,16 +53,20 @@ std::uint32_t Overlay::vertex_at(std::uint32_t edge, bool at_start) const {
   return cut_->cuts()[at_start ? e.first : e.last].vertex;
 }
 
-// A point is computed on that curve at a vertex on which it errs least; control points do not.
+// A point is computed on that curve at a vertex on which it errs least, by rounding and by the width of its bracket;
+// control points do not err.
 void Overlay::find_points() {
   points_.resize(cut_->number_of_vertices());
   std::vector<double> error(points_.size(), std::numeric_limits<double>::infinity());
   for (const Curve_cut& c : cut_->cuts()) {
     const Bezier_evaluator& curve = curves_.evaluator(c.at.bezier);
-    const double own = curves_.rounding(c.at.bezier) + (c.place == NO_NUMBER ? 0 : curve.point_error());
+    double own = curves_.rounding(c.at.bezier) + (c.place == NO_NUMBER ? 0 : curve.point_error());
+    if (!(own < error[c.vertex])) continue;
+    const Curve_jet jet = curve(c.at.t.middle());
+    own += c.at.t.width() * euclidean_norm(jet.first);
     if (!(own < error[c.vertex])) continue;
     error[c.vertex] = own;
-    points_[c.vertex] = curve(c.at.t.middle()).point;
+    points_[c.vertex] = jet.point;
   }
 }
 
