@@ -214,22 +214,49 @@ void add_exact_meetings(Arranged_meetings& to) {
   return result;
 }
 
-/// No loop, as all legs of the control polygon go ahead in one direction: a line across it meets the curve no more
-/// often than the polygon.
-[[nodiscard]] bool has_no_loop(const Arranged_curve& c) {
+/// Whether tangents turn by less than half a turn, or run along the chord. Tangents are combinations of the control
+/// polygon's legs, with coefficients that are not negative; so all go ahead in one direction.
+[[nodiscard]] bool goes_ahead(const Arranged_curve& c) {
   const auto& p = c.bezier().control_points();
-  const auto is_monotone = [&](auto is_ahead) {
-    return std::adjacent_find(p.begin(), p.end(), [&](const auto& q, const auto& r) { return !is_ahead(q, r); }) ==
+  const double size = 16 * HALF_ULP * c.evaluator().coordinate_size();  // of products of differences, by their lengths
+  const auto are_legs = [&](const auto& is_leg_of) {
+    return std::adjacent_find(p.begin(), p.end(), [&](const auto& q, const auto& r) { return !is_leg_of(r - q); }) ==
            p.end();
   };
   const Xy<double> chord = p.back() - p.front();
-  const double room = 16 * HALF_ULP * c.evaluator().coordinate_size() * euclidean_norm(chord);  // of products
-  return is_monotone([](const auto& q, const auto& r) { return q.x < r.x; }) ||
-         is_monotone([](const auto& q, const auto& r) { return q.x > r.x; }) ||
-         is_monotone([](const auto& q, const auto& r) { return q.y < r.y; }) ||
-         is_monotone([](const auto& q, const auto& r) { return q.y > r.y; }) ||
-         is_monotone([&](const auto& q, const auto& r) { return dot(chord, r - q) > room; });
+  const double along = size * euclidean_norm(chord);
+  if (are_legs([&](const Xy<double>& leg) { return dot(chord, leg) > along; })) return true;
+  for (std::size_t i = 1; i < p.size(); ++i) {  // all others are to the left of one leg
+    const Xy<double> first = p[i] - p[i - 1];
+    const double beside = size * euclidean_norm(first);
+    if (are_legs([&](const Xy<double>& leg) { return leg == first || cross(first, leg) > beside; })) return true;
+  }
+  return false;
 }
+
+/// Whether it is a polynomial cubic a t^3 + b t^2 + c t + d without a loop. A loop is at parameters of sum u and
+/// product v with a (u^2 - v) + b u + c = 0. The cross product with a has u alone, the dot product has v. Both
+/// parameters are in [0,1] where u^2 >= 4 v, 0 <= u <= 2, v >= 0 and 1 - u + v >= 0.
+[[nodiscard]] bool is_cubic_without_loop(const Bezier_curve_2<double>& curve) {
+  if (curve.degree() != 3 || curve.is_rational()) return false;
+  const Protect_FPU_rounding<true> upward;
+  using Interval = Unprotected_interval;
+  Xy<Interval> p[4];
+  for (std::size_t i = 0; i < 4; ++i)
+    p[i] = {Interval(curve.control_points()[i].x), Interval(curve.control_points()[i].y)};
+  const Interval three(3);
+  const Xy<Interval> first = p[1] - p[0], second = p[2] - p[1], c = three * first, b = three * (second - first),
+                     a = (p[3] - p[0]) - three * second;
+  const Interval turn = cross(a, b);
+  if (certain_sign(turn) == 0) return false;
+  const Interval u = -cross(a, c) / turn, v = u * u + (dot(a, b) * u + dot(a, c)) / dot(a, a);
+  for (const Interval& must_not_be_negative : {u * u - Interval(4) * v, u, Interval(2) - u, v, Interval(1) - u + v})
+    if (certain_sign(must_not_be_negative) < 0) return true;
+  return false;
+}
+
+/// Filter of what a curve has in common with itself.
+[[nodiscard]] bool has_no_loop(const Arranged_curve& c) { return goes_ahead(c) || is_cubic_without_loop(c.bezier()); }
 
 }  // namespace
 
@@ -256,18 +283,23 @@ namespace {
     coordinates.push_back(Unprotected_interval(is_vertical ? p.y : p.x) * weights.back());
   }
   const internal::Interval_isolation::Polynomial x(std::move(coordinates)), w(std::move(weights)),
-      slope = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative();
+      slope = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative(), change = slope.derivative();
   const internal::Interval_isolation found(slope);
   if (!found.undecided.empty()) return std::nullopt;
   std::vector<Bracket> ranges;
   for (const Root_cell& cell : found.cells) {
     constexpr double NARROW = 0x1p-50, ENOUGH = 0x1p-30;
     Bracket range{cell.lo, cell.hi};
-    while (range.width() > NARROW) {
-      const Unprotected_interval t(range.middle());
-      const int sign = certain_sign(slope.homogeneous_value(t, Unprotected_interval(1) - t));
-      if (sign == 0) break;
-      (sign == cell.lower_sign ? range.lower : range.upper) = t.inf();
+    while (range.width() > NARROW) {  // by signs, and by Newton's method in intervals (Moore 1966)
+      const Unprotected_interval t(range.middle()), at = slope(t), rise = change({range.lower, range.upper});
+      Bracket next = range;
+      if (const int sign = certain_sign(at); sign != 0) (sign == cell.lower_sign ? next.lower : next.upper) = t.inf();
+      if (certain_sign(rise) != 0) {
+        const Unprotected_interval root = t - at / rise;
+        next = {(std::max)(next.lower, root.inf()), (std::min)(next.upper, root.sup())};
+      }
+      if (next.width() > range.width() / 2) break;
+      range = next;
     }
     if (range.width() > ENOUGH) return std::nullopt;
     ranges.push_back(range);
