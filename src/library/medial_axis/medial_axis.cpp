@@ -33,6 +33,13 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
+/// What is asked for, in the unit of the segments.
+struct Asked_axis {
+  Medial_axis_options options;
+  double eps;  // how far the axis, and its radius together, may be from the lines between samples
+  Index_loop loop;
+};
+
 // What is checked of an axis that is made.
 
 // Leaves wrong vertices and edges out, and tells where they were.
@@ -131,14 +138,14 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   return most;
 }
 
-[[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Axis_job& job) {
+[[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked) {
   const Axis_boundary boundary = axis_boundary(parts);
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
-  const double eps = (std::max)(job.eps, LEAST * boundary.size());
+  const double eps = (std::max)(asked.eps, LEAST * boundary.size());
   const auto made = [&](bool is_joining) {
-    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, job.loop).build();
+    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, asked.loop).build();
     axis.eps = eps;
-    check_discs(parts.segments, boundary, job.loop, axis);
+    check_discs(parts.segments, boundary, asked.loop, axis);
     return axis;
   };
   Medial_axis_2 axis = made(false);
@@ -154,16 +161,16 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 
 /// The axis, with what it was made of.
 /// \param close how close walls are that meet
-[[nodiscard]] Medial_axis_2 bounded_axis(const Segment_hierarchy& curves, const Axis_job& job, double close) {
-  const auto bounds = std::make_shared<const Bounding_parts>(bounding_parts(curves, job, close));
-  Medial_axis_2 axis = axis_of(*bounds, job);
+[[nodiscard]] Medial_axis_2 bounded_axis(const Segment_hierarchy& curves, const Asked_axis& asked, double close) {
+  const auto bounds = std::make_shared<const Bounding_parts>(bounding_parts(curves, asked.options, close));
+  Medial_axis_2 axis = axis_of(*bounds, asked);
   axis.moved = bounds->moved;
   if (bounds->undecided) {
     axis.status = Medial_axis_status::UNRESOLVED;
     axis.unresolved = {*bounds->undecided};
   }
   axis.left_out = bounds->left_out;
-  axis.options = job;
+  axis.options = asked.options;
   axis.bounds = bounds;
   return axis;
 }
@@ -201,7 +208,7 @@ struct Move {
 /// Where rounding left discs open, the axis is that of curves that are moved by less than is told of it: what met at
 /// one place by chance, or by symmetry, meets there no more. Small moves keep close walls joined, larger ones part
 /// them.
-[[nodiscard]] Medial_axis_2 resolved_axis(const Segment_hierarchy& curves, const Axis_job& job) {
+[[nodiscard]] Medial_axis_2 resolved_axis(const Segment_hierarchy& curves, const Asked_axis& asked) {
   constexpr Move MOVES[] = {
       {0x1p-43, CLOSE_WALLS}, {0x1p-42, 0x1p-43}, {0x1p-42, CLOSE_WALLS}, {0x1p-42, CLOSE_WALLS, true}};
   constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), FEW = 4, MANY = 64, SEGMENTS = 1 << 14;  // of all tries
@@ -209,10 +216,10 @@ struct Move {
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
   const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
   const double size = coordinate_size(curves.drawing());
-  Medial_axis_2 axis = bounded_axis(curves, job, CLOSE_WALLS * size);
+  Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size);
   for (std::uint32_t seed = 0; seed < tries && !is_good(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
-    Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), job, move.close * size);
+    Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), asked, move.close * size);
     constexpr double MOST = 0x1p-40, OF_SQUARE = 1.5;  // half its diagonal, with what rounding adds
     moved.moved += OF_SQUARE * move.by * size;
     if (is_good(moved) && moved.moved <= MOST * size) axis = std::move(moved);
@@ -222,15 +229,12 @@ struct Move {
 
 }  // namespace
 
-Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, const Axis_job& job) {
-  check_above_zero("eps", job.eps);
-  if (job.is_framed) check_frame(curves.drawing());
+Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps, const Medial_axis_options& options,
+                          Index_loop loop) {
+  check_above_zero("eps", eps);
+  if (options.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());
-  Axis_job in_unit = job;
-  in_unit.eps = curves.unit().tolerance_in(job.eps);
-  Medial_axis_2 axis = out(curves.unit(), resolved_axis(curves.in_unit(), in_unit));
-  axis.options = job;
-  return axis;
+  return out(curves.unit(), resolved_axis(curves.in_unit(), {options, curves.unit().tolerance_in(eps), loop}));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -32,22 +32,9 @@ template <class Work> void loop_over_ranges(Index_loop loop, std::size_t count, 
        [&](std::size_t i) { work(i * RANGE_SIZE, (std::min)((i + 1) * RANGE_SIZE, count)); });
 }
 
-/// What an axis is made by.
-struct Axis_job : Medial_axis_options {
-  double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
-  Index_loop loop = index_loop<CGAL::Sequential_tag>();
-};
-template <class ConcurrencyTag = CGAL::Sequential_tag>
-[[nodiscard]] Axis_job axis_job(double eps, const Medial_axis_options& options) {
-  Axis_job job;
-  static_cast<Medial_axis_options&>(job) = options;
-  job.eps = eps;
-  job.loop = index_loop<ConcurrencyTag>();
-  return job;
-}
-
 // The search takes threads as an argument: it is compiled without any.
-[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, const Axis_job& job = {});
+[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps,
+                                        const Medial_axis_options& options, Index_loop loop);
 }  // namespace internal
 
 /// Returns the medial axis of all regions that the closed curves of a tree fill under a rule, as boolean operations and
@@ -79,7 +66,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 [[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::medial_axis(tree, internal::axis_job<ConcurrencyTag>(eps, options));
+  return internal::medial_axis(tree, eps, options, internal::index_loop<ConcurrencyTag>());
 }
 
 }  // namespace CGAL::Bounding_arcs
