@@ -18,32 +18,32 @@
 namespace CGAL::Bounding_arcs::filter {
 
 // The loops for a kind of curves, null for kind 0.
-template <class Isa, class Method> Batch_function compiled_batch(int kind) {
+template <class Isa, class Method> Batch_function batch_function(int kind) {
   return for_kind(kind, [](auto k) -> Batch_function { return &bound_batch<Isa, Method, k()>; });
 }
-template <class Isa, class Method> Top_function compiled_top(int kind) {
+template <class Isa, class Method> Top_function top_function(int kind) {
   return for_kind(kind, [](auto k) -> Top_function { return &decide_top<Isa, Method, k()>; });
 }
-template <class Isa, class Arcs> Arc_function compiled_arcs(int kind) {
+template <class Isa, class Arcs> Arc_function arc_function(int kind) {
   return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<Isa, Arcs, k()>; });
 }
-template <class Isa, class Arcs> Lanes_function compiled_lanes(int kind) {
+template <class Isa, class Arcs> Lanes_function lanes_function(int kind) {
   return for_kind(kind, [](auto k) -> Lanes_function { return &make_few_arcs<Isa, Arcs, k()>; });
 }
 
 #define BOUNDING_ARCS_LOOPS(Isa)                                          \
-  template Batch_function compiled_batch<Isa, Bca_batch>(int);            \
-  template Top_function compiled_top<Isa, Bca_batch>(int);                \
-  template Batch_function compiled_batch<Isa, Spiral_fat_arc_batch>(int); \
-  template Top_function compiled_top<Isa, Spiral_fat_arc_batch>(int);     \
-  template Batch_function compiled_batch<Isa, Bilens_batch>(int);         \
-  template Top_function compiled_top<Isa, Bilens_batch>(int);             \
-  template Arc_function compiled_arcs<Isa, Bca_arcs>(int);                \
-  template Lanes_function compiled_lanes<Isa, Bca_arcs>(int);             \
-  template Arc_function compiled_arcs<Isa, Spiral_fat_arc_arcs>(int);     \
-  template Lanes_function compiled_lanes<Isa, Spiral_fat_arc_arcs>(int);  \
-  template Arc_function compiled_arcs<Isa, Bilens_arcs>(int);             \
-  template Lanes_function compiled_lanes<Isa, Bilens_arcs>(int)
+  template Batch_function batch_function<Isa, Bca_batch>(int);            \
+  template Top_function top_function<Isa, Bca_batch>(int);                \
+  template Batch_function batch_function<Isa, Spiral_fat_arc_batch>(int); \
+  template Top_function top_function<Isa, Spiral_fat_arc_batch>(int);     \
+  template Batch_function batch_function<Isa, Bilens_batch>(int);         \
+  template Top_function top_function<Isa, Bilens_batch>(int);             \
+  template Arc_function arc_function<Isa, Bca_arcs>(int);                \
+  template Lanes_function lanes_function<Isa, Bca_arcs>(int);             \
+  template Arc_function arc_function<Isa, Spiral_fat_arc_arcs>(int);     \
+  template Lanes_function lanes_function<Isa, Spiral_fat_arc_arcs>(int);  \
+  template Arc_function arc_function<Isa, Bilens_arcs>(int);             \
+  template Lanes_function lanes_function<Isa, Bilens_arcs>(int)
 BOUNDING_ARCS_FOR_SETS(BOUNDING_ARCS_LOOPS)
 
 }  // namespace CGAL::Bounding_arcs::filter

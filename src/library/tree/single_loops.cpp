@@ -22,22 +22,22 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
-template <class Method> Bound_function compiled_one(int kind) {
+template <class Method> Bound_function one_function(int kind) {
   return for_kind(kind, [](auto k) -> Bound_function { return &bound_one<Method, k()>; });
 }
-template <class Arcs> Arc_function compiled_few(int kind) {
+template <class Arcs> Arc_function few_function(int kind) {
   return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<One_by_one, Arcs, k(), 1>; });
 }
-template <class Arcs> Arc_room compiled_room(const Local_curve& curve, const Point_sizes& sizes) {
+template <class Arcs> Arc_room arc_room(const Local_curve& curve, const Point_sizes& sizes) {
   Arc_room room{};
   for_kind(curve.kind, [&](auto k) { room = arc_room<Arcs, k()>(curve.form, curve.half, sizes); });
   return room;
 }
 
 #define BOUNDING_ARCS_OF_METHOD(Method, Arcs)        \
-  template Bound_function compiled_one<Method>(int); \
-  template Arc_function compiled_few<Arcs>(int);     \
-  template Arc_room compiled_room<Arcs>(const Local_curve&, const Point_sizes&)
+  template Bound_function one_function<Method>(int); \
+  template Arc_function few_function<Arcs>(int);     \
+  template Arc_room arc_room<Arcs>(const Local_curve&, const Point_sizes&)
 BOUNDING_ARCS_OF_METHOD(Bca_batch, Bca_arcs);
 BOUNDING_ARCS_OF_METHOD(Spiral_fat_arc_batch, Spiral_fat_arc_arcs);
 BOUNDING_ARCS_OF_METHOD(Bilens_batch, Bilens_arcs);

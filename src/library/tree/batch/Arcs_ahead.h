@@ -56,7 +56,7 @@ template <class Arcs> class Arc_filter {
   Arc_filter(Instruction_set set, const Spiral& spiral, bool is_whole) : Arc_filter(set, spiral, Both_points()) {
     if constexpr (are_served_v<Spiral>) {
       if (!serves()) return;
-      const Arc_room room = compiled_room<Arcs>(curve_, point_sizes(spiral));
+      const Arc_room room = arc_room<Arcs>(curve_, point_sizes(spiral));
       const bool needs_middle = !is_whole || HAS_JOINTS<Arcs>;
       points_ = {curve_, needs_middle ? spiral.end_point(curve_.middle) : Xy<double>(), room};
       if (!(points_.usual.room > 0)) many_ = nullptr;

@@ -56,22 +56,22 @@ template <> inline constexpr Region_form FORM<Spiral_fat_arc_arcs> = Region_form
 /// The functions that bound thickness, for function_for.
 template <class Method> struct Bounds_of_kind {
   using Lookup = Batch_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
+  template <class Isa> [[nodiscard]] static Lookup of() { return &batch_function<Isa, Method>; }
 };
 /// The functions that decide first levels, for function_for.
 template <class Method> struct Tops_of_kind {
   using Lookup = Top_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_top<Isa, Method>; }
+  template <class Isa> [[nodiscard]] static Lookup of() { return &top_function<Isa, Method>; }
 };
 /// The functions that make arcs, for function_for.
 template <class Arcs> struct Arcs_of_kind {
   using Lookup = Arc_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }
+  template <class Isa> [[nodiscard]] static Lookup of() { return &arc_function<Isa, Arcs>; }
 };
 /// The functions that make arcs of eight segments, for function_for.
 template <class Arcs> struct Lanes_of_kind {
   using Lookup = Lanes_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_lanes<Isa, Arcs>; }
+  template <class Isa> [[nodiscard]] static Lookup of() { return &lanes_function<Isa, Arcs>; }
 };
 
 /// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
@@ -81,7 +81,7 @@ class Batch_functions {
     Batch_functions f;
     if (set == Instruction_set::NONE) return f;
     f.many_ = function_for<Bounds_of_kind<Method>>(set);
-    f.one_ = &compiled_one<Method>;
+    f.one_ = &one_function<Method>;
     f.top_ = function_for<Tops_of_kind<Method>>(set);
     return f;
   }
@@ -107,7 +107,7 @@ template <class Arcs> class Arc_functions {
   explicit Arc_functions(Instruction_set set) {
     if (set == Instruction_set::NONE) return;
     many_ = function_for<Arcs_of_kind<Arcs>>(set);
-    few_ = &compiled_few<Arcs>;
+    few_ = &few_function<Arcs>;
     lanes_ = function_for<Lanes_of_kind<Arcs>>(set);
   }
   /// Makes arcs in groups of eight pieces.

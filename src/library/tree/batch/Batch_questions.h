@@ -292,15 +292,15 @@ using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, co
 using Lanes_function = void (*)(const Few_question&, Few_answer&);
 
 /// The loops as they are compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
-template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
-template <class Isa, class Method> [[nodiscard]] Top_function compiled_top(int kind);
-template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
-template <class Isa, class Arcs> [[nodiscard]] Lanes_function compiled_lanes(int kind);
+template <class Isa, class Method> [[nodiscard]] Batch_function batch_function(int kind);
+template <class Isa, class Method> [[nodiscard]] Top_function top_function(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Arc_function arc_function(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Lanes_function lanes_function(int kind);
 /// The loops for few pieces; defined in src/library/tree/single_loops.cpp.
-template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
-template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
+template <class Method> [[nodiscard]] Bound_function one_function(int kind);
+template <class Arcs> [[nodiscard]] Arc_function few_function(int kind);
 /// What regions of a segment may err by, see Arc_points.h. \pre curve.kind > 0
-template <class Arcs> [[nodiscard]] Arc_room compiled_room(const Local_curve& curve, const Point_sizes& sizes);
+template <class Arcs> [[nodiscard]] Arc_room arc_room(const Local_curve& curve, const Point_sizes& sizes);
 /// Sets the form in float, where it serves.
 [[nodiscard]] bool make_rough_form(const Local_curve& curve, Local_form<float>& rough);
 
