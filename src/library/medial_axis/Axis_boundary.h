@@ -38,9 +38,12 @@ struct Boundary_element {
   Xy<double> point{}, tangent{};  ///< of a corner, at u = 0
   double turn = 0;                ///< of a segment, to the left at its end
 
-  /// Joints that turn by less are smooth. Beyond the disc of radius r that touches both sides of a corner, which turns
-  /// by an angle a, its tip is r a^2 / 8 long: with ten times less, tips would be lost in the coordinates' rounding.
+  /// Joints that turn to the left by less are no tips. Beyond the disc of radius r that touches both sides of a corner,
+  /// which turns by an angle a, its tip is r a^2 / 8 long: with ten times less, tips would be lost in the coordinates'
+  /// rounding.
   static constexpr double LEAST_TURN = 0x1p-21;
+  /// Joints that turn to the left by less may be rounded off: tips of sharper ones are told in doubles.
+  static constexpr double ROUNDED_TURN = 0x1p-18;
   /// Whether it ends in a corner that is a leaf.
   [[nodiscard]] bool is_before_tip() const { return turn > LEAST_TURN; }
 };
@@ -119,6 +122,13 @@ class Axis_boundary {
   }
   /// Distances that differ by less are not told apart: some tens of roundings of coordinates.
   [[nodiscard]] double resolution() const { return 0x1p-46 * size_; }
+  /// Whether elements of a length that turn into each other by an angle are smooth there: neither leaves the other
+  /// one's tangent by more than rounding.
+  [[nodiscard]] bool is_smooth(double turn, double length) const {
+    constexpr double ROUNDING = 64;  // times the resolution
+    return !(std::fabs(turn) * length > ROUNDING * resolution());
+  }
+  [[nodiscard]] double largest_rounded_turn() const { return largest_rounded_turn_; }
   /// Points that are no farther apart may be one joint.
   [[nodiscard]] double joint_size() const { return 4 * resolution(); }
 
@@ -205,6 +215,7 @@ class Axis_boundary {
     if (!e.is_corner || rings_.back().begin == i) of_segment_[e.segment].of[e.is_reversed ? 1 : 0] = i;
     elements_.push_back(e);
     rings_.back().end = i + 1;
+    if (e.turn < Boundary_element::ROUNDED_TURN) largest_rounded_turn_ = (std::max)(largest_rounded_turn_, e.turn);
   }
 
  private:
@@ -212,7 +223,7 @@ class Axis_boundary {
   std::vector<Boundary_element> elements_;
   std::vector<Boundary_ring> rings_;
   std::vector<Sides> of_segment_;
-  double size_ = 0;
+  double size_ = 0, largest_rounded_turn_ = 0;
 };
 
 /// The disc that touches two places from inside, where it touches the second one with the tangent it has there; the
@@ -282,9 +293,21 @@ class Axis_boundary_maker {
            std::all_of(points.begin(), points.end(), is_there);
   }
   // Shorter are points, and what is between two cuts that are nearly one.
-  [[nodiscard]] bool is_long(std::uint32_t segment) const {
+  [[nodiscard]] bool is_long(std::uint32_t segment) const { return length(segment) > boundary_.resolution(); }
+  [[nodiscard]] double length(std::uint32_t segment) const {
     const Spiral_piece_2 p = curves_.piece(segment);
-    return euclidean_norm(p.last.point - p.first.point) > boundary_.resolution();
+    return euclidean_norm(p.last.point - p.first.point);
+  }
+  // How far the Bezier piece goes on from the joint behind a segment, there or, backwards, before it.
+  template <bool IS_FORWARD> [[nodiscard]] double reach(const std::vector<Directed_segment>& way, std::size_t i) const {
+    const std::size_t n = way.size(), first = IS_FORWARD ? (i + 1) % n : i;
+    const std::uint32_t bezier = curves_.bezier_of(way[first].segment);
+    double sum = 0;
+    for (std::size_t k = 0, j = first; k < n && curves_.bezier_of(way[j].segment) == bezier; ++k) {
+      sum += length(way[j].segment);
+      j = IS_FORWARD ? (j + 1) % n : (j + n - 1) % n;
+    }
+    return sum;
   }
   [[nodiscard]] Directed_piece directed(const Directed_segment& s) const {
     return {curves_.piece(s.segment), s.is_reversed};
@@ -300,9 +323,12 @@ class Axis_boundary_maker {
       const Directed_segment& s = way[i];
       const Directed_piece p = directed(s);
       const double sign = s.is_reversed ? -1 : 1;
-      const double turn = turn_between(s, way[(i + 1) % way.size()]);
+      const Directed_segment& next = way[(i + 1) % way.size()];
+      const double turn = turn_between(s, next);
       boundary_.add({s.segment, 0, false, s.is_reversed, sign * p.first().t, sign * p.last().t, {}, {}, turn});
-      if (!(turn < -Boundary_element::LEAST_TURN)) continue;
+      if (!(turn < 0) || boundary_.is_smooth(turn, boundary_.largest_radius()) ||
+          boundary_.is_smooth(turn, (std::min)(reach<false>(way, i), reach<true>(way, i))))
+        continue;
       boundary_.add({s.segment, 0, true, s.is_reversed, 0, -turn, p.last().point, p.tangent(p.last())});
     }
   }

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -44,15 +45,14 @@ class Leaf_finder {
     const std::vector<End> ends = ends_of(boundary_.rings()[ring]);
     const std::size_t n = ends.size();
     Ring_leaves result;
-    std::size_t start = 0;  // of a group of ends with one value
-    while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
-    if (start == n) {
-      const End& best =
-          *std::min_element(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.error < b.error; });
-      result.is_circle = best.value > 0 && std::isfinite(best.value);
-      if (result.is_circle) result.circle = osculating(best, ends.front(), ends.back());
+    if (const std::optional<Axis_leaf> circle = circle_of(ends)) {
+      result.is_circle = true;
+      result.circle = *circle;
       return result;
     }
+    std::size_t start = 0;  // of a group of ends with one value
+    while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
+    if (start == n) return result;
     for (std::size_t i = start; i < start + n;) {
       std::size_t last = i;
       while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
@@ -73,15 +73,34 @@ class Leaf_finder {
     Boundary_place place;
     double value, error;
     bool is_corner = false;
-    std::uint32_t next = 0;  // behind a convex corner
+    std::uint32_t next = 0;           // behind a convex corner
+    std::optional<Axis_leaf> leaf{};  // of a corner that is rounded
   };
   [[nodiscard]] static bool are_same(const End& a, const End& b) {
     if (a.is_corner || b.is_corner) return false;
-    constexpr double SAME = 0x1p-32;  // of curvature; rounded control points of a spline make joints differ by less
     if (a.value == b.value) return true;
+    // rounded control points of a spline make joints differ by less, of the curvature
+    const double same = a.place.element == b.place.element ? 0 : 0x1p-32;
     return std::isfinite(a.value) && std::isfinite(b.value) &&
            std::fabs(a.value - b.value) <=
-               a.error + b.error + SAME * (std::max)(std::fabs(a.value), std::fabs(b.value));
+               a.error + b.error + same * (std::max)(std::fabs(a.value), std::fabs(b.value));
+  }
+
+  // The disc of a ring that has one curvature, and joints that leave it by rounding alone.
+  [[nodiscard]] std::optional<Axis_leaf> circle_of(const std::vector<End>& ends) const {
+    const End *best = nullptr, *last = nullptr;
+    for (const End& e : ends) {
+      if (!std::isfinite(e.value) && !e.leaf) return std::nullopt;
+      if (e.is_corner) continue;
+      if (last != nullptr && !are_same(*last, e)) return std::nullopt;
+      if (best == nullptr || e.error < best->error) best = &e;
+      last = &e;
+    }
+    if (best == nullptr || !(best->value > 0) || !are_same(*last, ends.front())) return std::nullopt;
+    const Axis_leaf leaf = osculating(*best, ends.front(), *last);
+    constexpr double ROUNDING = 8;  // times the resolution
+    const double gap = most_gap({leaf.center, leaf.radius}, points_between(ends.front().place, last->place));
+    return gap <= ROUNDING * boundary_.resolution() ? std::optional(leaf) : std::nullopt;
   }
 
   [[nodiscard]] static bool is_less(const End& a, const End& b) {
@@ -107,10 +126,119 @@ class Leaf_finder {
         ends.push_back(end_at({i, u}));
         if (std::isfinite(ends.back().value)) ends.back().error += bend;
       }
-      if (e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i)});
+      if (const auto rounded = rounded_joint(i))
+        ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i), rounded});
+      else if (e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i)});
     }
     return ends;
   }
+
+  // Joints that turn by little, as those of drawings with six decimals do.  Let an element of curvature k turn by the
+  // angle a into another one of curvature k - d.  To the second order a disc of curvature k + x touches both sides, at
+  // distances s and t from the joint, and leaves a tip of the height h beyond it.  With v^2 = x and w^2 = x + d,
+  //
+  //   h = a^2 / (2 (v + w)^2),   s = a / (v (v + w)),   t = a / (w (v + w)).
+  //
+  // With h as small as coordinates tell, that disc is the leaf of a joint that is rounded off so.  Where x = 0 would
+  // leave less, or touches would be as far as elements are long, the joint is smooth.
+
+  /// How high what is rounded off is.
+  [[nodiscard]] double tip_height() const { return 4 * boundary_.resolution(); }
+  /// The elements of one Bezier piece from a joint on, or backwards from it.
+  [[nodiscard]] std::vector<std::uint32_t> run(std::uint32_t e, bool is_forward) const {
+    const Segment_hierarchy& curves = boundary_.curves();
+    std::vector<std::uint32_t> elements;
+    const Boundary_ring& ring = boundary_.rings()[boundary_.element(e).ring];
+    const auto bezier = [&](std::uint32_t i) { return curves.bezier_of(boundary_.element(i).segment); };
+    for (std::uint32_t i = e;
+         elements.size() < ring.end - ring.begin && !boundary_.element(i).is_corner && bezier(i) == bezier(e);) {
+      elements.push_back(i);
+      i = is_forward ? boundary_.after(i) : boundary_.before(i);
+    }
+    return elements;
+  }
+  [[nodiscard]] double length(std::uint32_t e) const {
+    const Spiral_piece_2 p = boundary_.curves().piece(boundary_.element(e).segment);
+    return euclidean_norm(p.last.point - p.first.point);
+  }
+  [[nodiscard]] double reach(std::uint32_t e, bool is_forward) const {
+    double sum = 0;
+    for (const std::uint32_t i : run(e, is_forward)) sum += length(i);
+    return sum;
+  }
+  struct Joint {
+    double turn, before, behind;  // curvatures
+    [[nodiscard]] double difference() const { return std::fabs(before - behind); }
+  };
+  [[nodiscard]] Joint joint_at_end_of(std::uint32_t e) const {
+    const std::uint32_t next = boundary_.after(e);
+    return {boundary_.element(e).turn, boundary_.curvature({e, boundary_.element(e).last}).value,
+            boundary_.curvature({next, boundary_.element(next).first}).value};
+  }
+  /// x of the disc that leaves such a tip.
+  [[nodiscard]] double excess(const Joint& joint) const {
+    const double w = joint.turn / std::sqrt(2 * tip_height()), root = (w - joint.difference() / w) / 2;
+    return root > 0 ? root * root : 0;
+  }
+  /// Whether an element turns into the next one to the left, by little and by more than nothing.
+  [[nodiscard]] bool is_bent(std::uint32_t e) const {
+    const double turn = boundary_.element(e).turn;
+    const std::uint32_t next = boundary_.after(e);
+    if (!(turn > 0 && turn < Boundary_element::ROUNDED_TURN) || boundary_.is_smooth(turn, boundary_.largest_radius()) ||
+        boundary_.is_smooth(turn, (std::min)(reach(e, false), reach(next, true))))
+      return false;
+    const Joint joint = joint_at_end_of(e);
+    return std::isfinite(joint.difference()) && excess(joint) > 0;
+  }
+  struct Only {
+    const Axis_boundary& boundary;
+    std::vector<std::uint32_t> elements;
+    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+      if (std::find(elements.begin(), elements.end(), e) != elements.end())
+        visit(boundary.element(e).first, boundary.element(e).last);
+    }
+  };
+  /// The leaf of a joint at the end of an element, if that turns to the left by little and there is one.
+  [[nodiscard]] std::optional<Axis_leaf> rounded_joint(std::uint32_t e) const {
+    if (!is_bent(e)) return std::nullopt;
+    const std::uint32_t next = boundary_.after(e);
+    const Joint joint = joint_at_end_of(e);
+    const bool is_own_before = joint.before >= joint.behind;
+    const double v = std::sqrt(excess(joint)), w = std::sqrt(excess(joint) + joint.difference()),
+                 s = joint.turn / (v * (v + w));
+    const Boundary_place p = place_from_joint(is_own_before ? e : next, !is_own_before, s);
+    const Boundary_jet jet = boundary_(p);
+    const Only others{boundary_, run(is_own_before ? next : e, is_own_before)};
+    Disc_search<Only> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
+    for (const std::uint32_t other : others.elements)
+      search.look_at_part(other, boundary_.element(other).first, boundary_.element(other).last);
+    search.finish();
+    const Boundary_place q = search.place();
+    const Xy<double> at = boundary_({e, boundary_.element(e).last}).point;
+    // what is beyond is nearer, in another disc
+    if (!search.is_found() || !(euclidean_norm(boundary_(q).point - at) <= 2 * s)) return std::nullopt;
+    const Axis_leaf leaf{is_own_before ? p : q, is_own_before ? q : p, search.center(), search.radius()};
+    double most = 0;  // curvature of the elements with both touches, and of those between
+    for (std::uint32_t i = leaf.first.element;; i = boundary_.after(i)) {
+      for (const double u : {boundary_.element(i).first, boundary_.element(i).last})
+        most = (std::max)(most, boundary_.curvature({i, u}).value);
+      if (i == leaf.last.element) break;
+    }
+    // where they bend more elsewhere the joint is no leaf, or nothing beside that
+    return most * leaf.radius <= 1 && is_empty(leaf) ? std::optional(leaf) : std::nullopt;
+  }
+  /// The place on a Bezier piece at a distance from a joint; in the middle of its last element at most.
+  [[nodiscard]] Boundary_place place_from_joint(std::uint32_t e, bool is_forward, double distance) const {
+    const std::vector<std::uint32_t> elements = run(e, is_forward);
+    std::size_t k = 0;
+    for (; k + 1 < elements.size() && length(elements[k]) < distance; ++k) distance -= length(elements[k]);
+    const Boundary_element& element = boundary_.element(elements[k]);
+    const double start = is_forward ? element.first : element.last,
+                 step =
+                     (std::min)(distance / boundary_({elements[k], start}).speed, (element.last - element.first) / 2);
+    return {elements[k], is_forward ? start + step : start - step};
+  }
+
   // An arc of length l that is more curved than what is beside it by k is l^2 k / 8 higher: this tells of heights that
   // are nothing.
   [[nodiscard]] double least_bend(const Boundary_element& e) const {
@@ -148,7 +276,7 @@ class Leaf_finder {
   void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
     if (from.is_corner) {
       const Boundary_place behind{from.next, boundary_.element(from.next).first};
-      leaves.push_back({from.place, behind, boundary_(from.place).point, 0});
+      leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, boundary_(from.place).point, 0});
       return;
     }
     const Axis_leaf leaf = osculating(best, from, to);
@@ -185,7 +313,9 @@ class Leaf_finder {
   template <bool IS_FORWARD> [[nodiscard]] bool falls_on(std::uint32_t e) const {
     const std::uint32_t next = IS_FORWARD ? boundary_.after(e) : boundary_.before(e);
     if (boundary_.element(e).is_corner || boundary_.element(next).is_corner) return false;
-    if (boundary_.element(IS_FORWARD ? e : next).is_before_tip()) return false;
+    const std::uint32_t before = IS_FORWARD ? e : next;
+    if (boundary_.element(before).turn > 0 && (boundary_.element(before).is_before_tip() || is_bent(before)))
+      return false;
     const auto end = [&](std::uint32_t i, bool is_far) {
       const Boundary_element& element = boundary_.element(i);
       return end_at({i, is_far == IS_FORWARD ? element.last : element.first});

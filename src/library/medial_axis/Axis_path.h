@@ -75,7 +75,9 @@ class Axis_path {
         gap_b = k == i ? -1 : gap(p, partner.disc);
       }
       constexpr double ROUNDING = 64;  // times the resolution
-      if ((std::min)(gap_a, gap_b) > ROUNDING * boundary_.resolution()) has_failed_ = true;
+      // discs at ends of elements that turn to the left by little are in what is beyond, by as much on either side
+      const double most = ROUNDING * boundary_.resolution() + 2 * boundary_.largest_rounded_turn() * last.sample.radius;
+      if ((std::min)(gap_a, gap_b) > most) has_failed_ = true;
       if (gap_a <= gap_b) {
         go_to(facing<true>({a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
         ++i;
