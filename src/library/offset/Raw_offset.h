@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -68,17 +69,29 @@ struct Raw_part {
 };
 using Raw_loop = std::vector<Raw_part>;
 
+/// The sine of half the turn of an arc from another start, which is half the curvature times the chord; nothing where
+/// that is near 1, so that ends do not tell the turn.
+[[nodiscard]] inline std::optional<double> half_turn_sine(const Arc_2& arc, const Xy<double>& start) {
+  constexpr double MOST = 0.96;
+  const double b = arc.bulge, sine = 2 * b / (1 + b * b),
+               share = euclidean_norm(arc.to - start) / euclidean_norm(arc.to - arc.from);
+  if (!(std::fabs(b) < 1 && std::fabs(sine) <= MOST && std::fabs(share * sine) <= MOST)) return std::nullopt;
+  return share * sine;
+}
 /// The arc of the same curvature from another start that is near.
 [[nodiscard]] inline Arc_2 from_another_start(const Arc_2& arc, const Xy<double>& start) {
+  if (const std::optional<double> sine = half_turn_sine(arc, start))
+    return {start, arc.to, *sine / (1 + std::sqrt(1 - *sine * *sine))};
   const double was = euclidean_norm(arc.to - arc.from), is = euclidean_norm(arc.to - start);
   return {start, arc.to, arc.bulge * (is / was)};
 }
-/// How far that may be from the circle of the arc: as its start is, and by what chord and bulge do not tell of
-/// curvature, which for k = 4 b / ((1 + b^2) L) and b / L kept is less than b^2 times the way.
+/// How far that may be from the circle of the arc. The circle turns about the other end, which moves no point by more
+/// than twice as much as the start. Where b / L is kept in place of the curvature k = 4 b / ((1 + b^2) L), that changes
+/// by less than b^2 times the way, too.
 [[nodiscard]] inline double way_off(const Arc_2& arc, const Xy<double>& start) {
   const double square = 1 + arc.bulge * arc.bulge, length = euclidean_norm(arc.to - arc.from);
   return std::fabs(side_of_circle(start, arc)) / (square * length) * 2 +
-         arc.bulge * arc.bulge * euclidean_norm(start - arc.from);
+         (half_turn_sine(arc, start) ? 0 : arc.bulge * arc.bulge * euclidean_norm(start - arc.from));
 }
 
 class Raw_builder {
@@ -132,7 +145,7 @@ class Raw_builder {
   [[nodiscard]] Joint joint(std::size_t i) const {
     if (is_band_ && (i == 0 || i == path_.size() / 2)) return Joint::CAP;
     const Xy<double>&p = before(i).n1, &q = path_[i].n0;
-    if (d_ * euclidean_norm(q - p) <= snap_) return Joint::SMOOTH;
+    if (d_ * euclidean_norm(q - p) <= (cross(p, q) < 0 && dot(p, q) > 0 ? least_snap_ : snap_)) return Joint::SMOOTH;
     // Where a curve turns back its legs part by their curvatures; if not even those differ, both sides get a join, of
     // which trimming takes what is wrong.
     const bool is_join = turns_back(i) ? before(i).curvature + path_[i].curvature >= 0 : cross(p, q) < 0;
@@ -149,6 +162,7 @@ class Raw_builder {
     is_band_ = is_band;
     // Behind an inner corner by the angle a offsets run over each other for d a, and part by d a^2: signs tell of
     // crossings if that is more than rounding.  Where joins are not round no wider gap between normals is let pass.
+    // At an outer corner, and where an arc has become a point, nothing crosses: no gap but a share of eps is let pass.
     snap_ = is_round_ ? (std::max)(least_snap_, 2 * std::sqrt(sources_.room(d) * d)) : least_snap_;
     const std::size_t n = path_.size();
     if (n == 0) return;
@@ -222,7 +236,7 @@ class Raw_builder {
   }
   // To a point that ought to be the last one.
   void connect(const Xy<double>& p, const Directed& a) {
-    if (euclidean_norm(p - last_) > snap_) emit({last_, p, 0}, a, Offset_kind::JOIN, true, false, HALF_CIRCLE);
+    if (euclidean_norm(p - last_) > least_snap_) emit({last_, p, 0}, a, Offset_kind::JOIN, true, false, HALF_CIRCLE);
   }
   void close(std::uint32_t first) {
     Arc_2& arc = raw_.edges.back().arc;
