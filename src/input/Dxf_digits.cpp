@@ -39,6 +39,14 @@ int digits_behind_point(std::string_view number) {
   return std::clamp(digits - std::clamp(exponent, -MOST, MOST), 0, MOST);
 }
 
+double last_place_of_angles(const Dxf_item& item, int from, int to) {
+  constexpr int FEWEST = 3;  // 359.9 degrees leave a slit on purpose
+  int digits = 0;
+  for (const int code : {from, to})
+    if (const Dxf_group* group = item.find(code)) digits = std::max(digits, digits_behind_point(group->value));
+  return digits < FEWEST ? 0 : std::pow(10, -digits);
+}
+
 void Dxf_digits::take(const Dxf_item& entity) {
   const bool is_arc = entity.kind == "ARC", is_ellipse = entity.kind == "ELLIPSE";
   for (const Dxf_group& group : entity.groups) {

@@ -27,6 +27,10 @@ class Dxf_digits {
   double largest_arc_ = 0, largest_ellipse_ = 0;  // radii
 };
 
+/// Ten to the power of minus the digits behind the point that the longer one of two groups has: how far off the
+/// difference of two angles may be. 0 for fewer than three digits, by which a part of a turn may be meant.
+[[nodiscard]] double last_place_of_angles(const Dxf_item& item, int from, int to);
+
 /// "0.50" has 2, "1.5e-05" 6, "10" none.
 [[nodiscard]] int digits_behind_point(std::string_view number);
 

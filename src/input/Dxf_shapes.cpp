@@ -43,9 +43,11 @@ Dxf_curve polyline_curve(const std::vector<Dxf_vertex>& vertices, bool is_closed
   return curve;
 }
 
-double end_of_range(double from, double to) {
-  constexpr double TURN = 360, SLACK = 1e-4;
-  return std::fabs(std::fabs(to - from) - TURN) < SLACK ? from + TURN : to;
+double end_of_range(double from, double to, double last_place) {
+  constexpr double TURN = 360, SLACK = 1e-4;  // degrees: programs compute angles in floats, too
+  // A difference of two numbers that were rounded, or cut off, is off by less than a last place of them.
+  const double allowed = std::max(SLACK, last_place * (1 + 0x1p-20));
+  return std::fabs(std::fabs(to - from) - TURN) <= allowed ? from + TURN : to;
 }
 
 Dxf_curve conic_curve(const Svg_transform& of_unit_circle, double from, double to) {
