@@ -217,12 +217,26 @@ TEST(JoinCurves, APieceThatBecomesAPointIsLeftOut) {
   EXPECT_EQ(joined.drawing.curves()[0].beziers.size(), 2u);
 }
 
+TEST(JoinCurves, ErrorsOfACurveCountForItsOwnEndsAlone) {
+  const auto loose = drawing_of({segment(0, 0, 4, 0), segment(4, 0.05, 4, 3), segment(4, 3.05, 0, 3)});
+  EXPECT_EQ(join_curves(loose, 0.01, {}, {0, 0, 0.04}).drawing.curves().size(), 2u);
+  EXPECT_EQ(join_curves(loose, 0.01, {}, {0, 0.04, 0}).drawing.curves().size(), 1u);
+  EXPECT_EQ(join_curves(loose, 0.01, {}, {0.02, 0.02, 0}).drawing.curves().size(), 2u) << "two errors";
+  // ends within the distance go first, whatever the errors of others reach
+  const auto crowd = drawing_of({segment(0, 0, 4, 0), segment(4, 0.01, 4, 3), segment(4, 0.05, 8, 9)});
+  const auto joined = join_curves(crowd, 0.01, {}, {0, 0, 1});
+  EXPECT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_EQ(joined.parts[0].size(), 2u);
+}
+
 TEST(JoinCurves, RefusesWhatIsNoDistance) {
   const auto drawing = drawing_of({segment(0, 0, 1, 1)});
   EXPECT_THROW((void)join_curves(drawing, -1e-9), std::invalid_argument);
   EXPECT_THROW((void)join_curves(drawing, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW((void)join_curves(drawing, std::numeric_limits<double>::infinity()), std::invalid_argument);
   EXPECT_THROW((void)join_curves(drawing, 1, {1, 2}), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, 1, {}, {1, 2}), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, 1, {}, {-1}), std::invalid_argument);
   EXPECT_TRUE(join_curves({}, 1).drawing.curves().empty());
 }
 

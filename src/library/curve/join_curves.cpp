@@ -44,6 +44,19 @@ Point arm(const Piece& piece) {
   return next == points.end() ? Point{0, 0} : *next - points.front();
 }
 
+// How far apart two ends may be that meet: by as much for all, and what their own curves add where that counts.
+struct Reach {
+  double of_all;
+  const std::vector<double>* of_curves = nullptr;
+
+  [[nodiscard]] double between(std::size_t a, std::size_t b) const {
+    return of_curves == nullptr ? of_all : of_all + (*of_curves)[a / 2] + (*of_curves)[b / 2];
+  }
+  [[nodiscard]] double widest() const {
+    return of_curves == nullptr ? of_all : of_all + 2 * *std::max_element(of_curves->begin(), of_curves->end());
+  }
+};
+
 // Ends that are free, in cells of a grid: those within a distance are in the cells around.
 class Free_ends {
  public:
@@ -89,38 +102,39 @@ class Joints {
         partner_(2 * curves_.size(), NONE) {}
 
   // Joins what has one other end within reach that has no third one.
-  void join_within(double reach, bool is_of_one_layer) {
+  void join_within(const Reach& reach, bool is_of_one_layer) {
     join_only(
         reach, is_of_one_layer, [](std::size_t, std::size_t) { return true; },
         [](std::size_t, std::size_t) { return true; });
   }
   // Joins what goes on straight in one other end within reach, where no third one nearly does. Whether there was any.
-  bool join_straight_within(double reach, bool is_of_one_layer) {
+  bool join_straight_within(const Reach& reach, bool is_of_one_layer) {
     // Tangents in files are rounded, and arcs are drawn by eye: a quarter of the angle would leave some apart. Twice
     // as much would take corners for none.
     constexpr double STRAIGHT = 0x1p-6, NEARLY = 4 * STRAIGHT;  // radians
     return join_only(
-        reach, is_of_one_layer, [&](std::size_t a, std::size_t b) { return bend(a, b).at_least(reach) <= NEARLY; },
-        [&](std::size_t a, std::size_t b) { return bend(a, b).at_most(reach) <= STRAIGHT; });
+        reach, is_of_one_layer,
+        [&](std::size_t a, std::size_t b) { return bend(a, b).at_least(reach.between(a, b)) <= NEARLY; },
+        [&](std::size_t a, std::size_t b) { return bend(a, b).at_most(reach.between(a, b)) <= STRAIGHT; });
   }
   // Closes chains whose own two ends are within reach, whatever else ends there.
-  void close_within(double reach) {
+  void close_within(const Reach& reach) {
     for_each_free([&](std::size_t end) {
       std::size_t last = other_end(end);
       while (partner_[last] != NONE) last = other_end(partner_[last]);
       const double gap = distance(place(end), place(last));
-      if (!(gap <= reach) || is_chain_within(end, gap)) return;
+      if (!(gap <= reach.between(end, last)) || is_chain_within(end, gap)) return;
       partner_[end] = last;
       partner_[last] = end;
     });
   }
   // Where ends are left apart, as more than two meet.
-  [[nodiscard]] std::vector<Point> crowded(double reach) const {
+  [[nodiscard]] std::vector<Point> crowded(const Reach& reach) const {
     const Free_ends ends = free_ends(reach);
-    Free_ends told(reach, least_cell());
+    Free_ends told(reach.widest(), least_cell());
     std::vector<Point> places;
     for_each_free([&](std::size_t end) {
-      if (beside(ends, end, false, [](std::size_t, std::size_t) { return true; }).size() < 2) return;
+      if (beside(ends, end, reach, false, [](std::size_t, std::size_t) { return true; }).size() < 2) return;
       if (told.beside(NONE, place(end), [](std::size_t) { return true; }).empty()) places.push_back(place(end));
       told.add(end, place(end));
     });
@@ -161,11 +175,11 @@ class Joints {
 
   // Joins ends of which each is the only one that the other may be joined to, if it should. Whether there was any.
   template <class May, class Should>
-  bool join_only(double reach, bool is_of_one_layer, const May& may, const Should& should) {
+  bool join_only(const Reach& reach, bool is_of_one_layer, const May& may, const Should& should) {
     const Free_ends ends = free_ends(reach);
     std::vector<std::size_t> only(partner_.size(), NONE);
     for_each_free([&](std::size_t end) {
-      const auto found = beside(ends, end, is_of_one_layer, may);
+      const auto found = beside(ends, end, reach, is_of_one_layer, may);
       if (found.size() == 1) only[end] = found.front();
     });
     bool is_any = false;
@@ -182,8 +196,8 @@ class Joints {
     for (std::size_t end = 0; end < partner_.size(); ++end)
       if (partner_[end] == NONE && !curves_[end / 2].is_closed) action(end);
   }
-  [[nodiscard]] Free_ends free_ends(double reach) const {
-    Free_ends ends(reach, least_cell());
+  [[nodiscard]] Free_ends free_ends(const Reach& reach) const {
+    Free_ends ends(reach.widest(), least_cell());
     for_each_free([&](std::size_t end) { ends.add(end, place(end)); });
     return ends;
   }
@@ -194,9 +208,10 @@ class Joints {
   }
   // A curve no larger than its gap would become a point, and is not closed.
   template <class May>
-  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, bool is_of_one_layer,
-                                                const May& may) const {
+  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, const Reach& reach,
+                                                bool is_of_one_layer, const May& may) const {
     return ends.beside(end, place(end), [&](std::size_t other) {
+      if (!(distance(place(end), place(other)) <= reach.between(end, other))) return false;
       if (other == other_end(end))
         return !is_within(curves_[end / 2].beziers, place(end), distance(place(end), place(other)));
       return (!is_of_one_layer || layers_[other / 2] == layers_[end / 2]) && may(end, other);
@@ -320,16 +335,25 @@ void add_as_it_is(Drawing_2<double>& drawing, const Curve& curve) {
 
 double rounding_of_ends(double largest_coordinate) { return std::ldexp(largest_coordinate, -40); }
 
-Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const std::vector<std::size_t>& layers) {
+Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const std::vector<std::size_t>& layers,
+                          const std::vector<double>& errors) {
   const std::vector<Curve>& curves = drawing.curves();
   if (!(eps >= 0) || !std::isfinite(eps))
     throw std::invalid_argument(expected("eps", "a number from 0", text_of(eps, "another one")));
   if (!layers.empty() && layers.size() != curves.size())
     throw std::invalid_argument(expected("layers", text_of(curves.size()) + ", one a curve, or none", layers.size()));
+  if (!errors.empty() && errors.size() != curves.size())
+    throw std::invalid_argument(expected("errors", text_of(curves.size()) + ", one a curve, or none", errors.size()));
+  std::vector<Reach> reaches{{0}, {(std::min)(rounding_of_ends(coordinate_size(drawing)), eps)}, {eps}};
+  for (const double error : errors) {
+    if (!(error >= 0) || !std::isfinite(error))
+      throw std::invalid_argument(expected("errors", "numbers from 0", text_of(error, "another one")));
+    if (error > 0 && reaches.back().of_curves == nullptr) reaches.push_back({eps, &errors});
+  }
   Joints joints(drawing, layers);
   for (const bool is_of_one_layer : {true, false}) {
     if (is_of_one_layer && layers.empty()) continue;
-    for (const double reach : {0.0, (std::min)(rounding_of_ends(coordinate_size(drawing)), eps), eps}) {
+    for (const Reach& reach : reaches) {
       do {
         joints.join_within(reach, is_of_one_layer);
         joints.close_within(reach);
@@ -357,7 +381,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     result.moved = (std::max)(result.moved, moved);
     result.parts.push_back(std::move(parts.list));
   }
-  result.crowded = joints.crowded(eps);
+  result.crowded = joints.crowded(reaches.back());
   return result;
 }
 
