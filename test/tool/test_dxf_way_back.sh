@@ -100,6 +100,26 @@ expect_status 0
 ! grep -q SPLINE out.dxf || fail "$command_line: has a spline"
 audit out.dxf
 
+# Corners that touch where all tangents agree come back as they were written: by the order of their entities.
+svg() { printf '<svg xmlns="http://www.w3.org/2000/svg"><%s/></svg>' "$1"; }
+svg 'rect width="4" height="2"' > rect.svg
+svg 'ellipse cx="2" cy="1" rx="2" ry="1"' > ellipse.svg
+svg 'rect width="4" height="4"' > square.svg
+svg 'circle cx="2" cy="2" r="2"' > circle.svg
+for words in 'rect ellipse 1.71681' 'square circle 3.43363'; do
+  read -r plate hole area <<< "$words"
+  for more in '' '--dxf-entities arcs --eps 1e-9'; do
+    # shellcheck disable=SC2086
+    run boolean difference "$plate.svg" "$hole.svg" $more -o corners.dxf
+    expect_status 0
+    run info corners.dxf --format csv
+    [ "$(cut -d, -f4 "$results/out" | sort | uniq -c | tr -s ' ' | tr '\n' ,)" = ' 1 closed, 4 true,' ] ||
+      fail "$command_line of $words $more: not 4 closed curves: $(cat "$results/out")"
+    sum=$(cut -d, -f7 "$results/out" | awk '{ sum += $1 < 0 ? -$1 : $1 } END { printf "%.5f", sum }')
+    [ "$sum" = "$area" ] || fail "$command_line: area $sum instead of $area"
+  done
+done
+
 # Parts, axes, thin places.
 run clip in.svg in.svg --keep on -o out.dxf
 expect_status 0

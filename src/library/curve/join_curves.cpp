@@ -37,6 +37,33 @@ bool is_within(const std::vector<Piece>& pieces, const Point& start, double r) {
   });
 }
 
+std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
+
+std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
+  if (!is_reversed) return curve.beziers;
+  std::vector<Piece> pieces;
+  for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece) pieces.push_back(piece->reversed());
+  return pieces;
+}
+
+// Whether nothing of a loop is left to be a curve: it is within its moves, or two curves one upon the other.
+bool is_empty_loop(const std::vector<Curve>& curves, const std::vector<Joined_part>& loop, double moved) {
+  std::vector<Piece> pieces;
+  for (const Joined_part& part : loop) {
+    const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  if (is_within(pieces, pieces.front().control_points().front(), moved)) return true;
+  if (loop.size() != 2) return false;
+  const std::vector<Piece> one = pieces_of(curves[loop[0].curve], false),
+                           two = pieces_of(curves[loop[1].curve], !loop[1].is_reversed);
+  return std::equal(one.begin(), one.end(), two.begin(), two.end(), [&](const Piece& a, const Piece& b) {
+    const auto &p = a.control_points(), &q = b.control_points();
+    return a.weights() == b.weights() && std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                                                    [&](auto& s, auto& t) { return distance(s, t) <= moved; });
+  });
+}
+
 // From the start of a piece to the next control point that is another one; 0 for a point.
 Point arm(const Piece& piece) {
   const auto& points = piece.control_points();
@@ -101,6 +128,21 @@ class Joints {
       : curves_(drawing.curves()), layers_(layers), size_(coordinate_size(drawing)),
         partner_(2 * curves_.size(), NONE) {}
 
+  // Joins loops whose curves follow each other in the drawing. Outlines are drawn so, and where several touch, in one
+  // direction even, nothing else tells them apart.
+  void join_loops_within(const Reach& reach, bool is_of_one_layer) {
+    for (std::size_t first = 0, next = 1; first < curves_.size(); first = next++) {
+      for (const bool is_reversed : {false, true}) {
+        std::vector<Joined_part> run{{first, is_reversed}};
+        const bool is_loop = goes_round(run, reach, is_of_one_layer);
+        next = (std::max)(next, first + run.size());
+        if (!is_loop) continue;
+        for (std::size_t i = 0; i < run.size(); ++i)
+          join(end_behind(run[i]), other_end(end_behind(run[(i + 1) % run.size()])));
+        break;
+      }
+    }
+  }
   // Joins what has one other end within reach that has no third one.
   void join_within(const Reach& reach, bool is_of_one_layer) {
     join_only(
@@ -124,8 +166,7 @@ class Joints {
       while (partner_[last] != NONE) last = other_end(partner_[last]);
       const double gap = distance(place(end), place(last));
       if (!(gap <= reach.between(end, last)) || is_chain_within(end, gap)) return;
-      partner_[end] = last;
-      partner_[last] = end;
+      join(end, last);
     });
   }
   // Where ends are left apart, as more than two meet.
@@ -156,6 +197,31 @@ class Joints {
   [[nodiscard]] double least_cell() const {
     return (std::max)(std::ldexp(size_, -44), std::numeric_limits<double>::min());
   }
+  void join(std::size_t a, std::size_t b) {
+    partner_[a] = b;
+    partner_[b] = a;
+  }
+  // Whether two ends are joined, or may be.
+  [[nodiscard]] bool meet(std::size_t a, std::size_t b, const Reach& reach) const {
+    if (partner_[a] != NONE || partner_[b] != NONE) return partner_[a] == b;
+    return distance(place(a), place(b)) <= reach.between(a, b);
+  }
+  // Adds the curves behind the first one of a run, as long as each begins where the one before it ends, up to one that
+  // ends where the run begins. Whether there is such a one.
+  bool goes_round(std::vector<Joined_part>& run, const Reach& reach, bool is_of_one_layer) const {
+    const std::size_t begin = other_end(end_behind(run.front()));
+    if (curves_[begin / 2].is_closed || meet(begin, other_end(begin), reach)) return false;
+    for (std::size_t next = begin / 2 + 1; next < curves_.size(); ++next) {
+      if (curves_[next].is_closed || (is_of_one_layer && layers_[next] != layers_[begin / 2])) return false;
+      const std::size_t end = end_behind(run.back());
+      const bool is_reversed = meet(end, 2 * next + 1, reach);
+      if (is_reversed == meet(end, 2 * next, reach)) return false;
+      run.push_back({next, is_reversed});
+      if (meet(end_behind(run.back()), begin, reach)) return !is_empty_loop(curves_, run, reach.widest());
+    }
+    return false;
+  }
+
   // How far the way through two ends is from a straight one: 2 at most, and less certain where ends were moved.
   struct Bend {
     double size, turn;  // turn: by how much it changes where both ends are moved by 1
@@ -186,8 +252,7 @@ class Joints {
     for (std::size_t end = 0; end < only.size(); ++end) {
       const std::size_t other = only[end];
       if (other == NONE || end > other || only[other] != end || !should(end, other)) continue;
-      partner_[end] = other;
-      partner_[other] = end;
+      join(end, other);
       is_any = true;
     }
     return is_any;
@@ -248,20 +313,11 @@ Parts parts_through(const Joints& joints, std::size_t curve) {
   return parts;
 }
 
-std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
-
 double widest_gap(const Joints& joints, const Parts& parts) {
   double widest = 0;
   for (const Joined_part& part : parts.list)
     if (joints.partner(end_behind(part)) != NONE) widest = (std::max)(widest, joints.gap(end_behind(part)));
   return widest;
-}
-
-std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
-  if (!is_reversed) return curve.beziers;
-  std::vector<Piece> pieces;
-  for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece) pieces.push_back(piece->reversed());
-  return pieces;
 }
 
 Piece with_end(const Piece& piece, bool is_last, const Point& place) {
@@ -307,25 +363,6 @@ std::vector<Piece> joined_pieces(const std::vector<Curve>& curves, const Parts& 
   return pieces;
 }
 
-// Whether nothing is left to be a curve: a loop within its moves, or two curves one upon the other.
-bool is_empty_loop(const std::vector<Curve>& curves, const Parts& parts, double moved) {
-  if (!parts.is_loop) return false;
-  std::vector<Piece> pieces;
-  for (const Joined_part& part : parts.list) {
-    const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
-    pieces.insert(pieces.end(), more.begin(), more.end());
-  }
-  if (is_within(pieces, pieces.front().control_points().front(), moved)) return true;
-  if (parts.list.size() != 2) return false;
-  const std::vector<Piece> one = pieces_of(curves[parts.list[0].curve], false),
-                           two = pieces_of(curves[parts.list[1].curve], !parts.list[1].is_reversed);
-  return std::equal(one.begin(), one.end(), two.begin(), two.end(), [&](const Piece& a, const Piece& b) {
-    const auto &p = a.control_points(), &q = b.control_points();
-    return a.weights() == b.weights() && std::equal(p.begin(), p.end(), q.begin(), q.end(),
-                                                    [&](auto& s, auto& t) { return distance(s, t) <= moved; });
-  });
-}
-
 void add_as_it_is(Drawing_2<double>& drawing, const Curve& curve) {
   if (curve.b_spline != nullptr) drawing.add(*curve.b_spline, curve.name);
   else drawing.add(curve.beziers, curve.name, curve.parameters);
@@ -353,7 +390,10 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
   Joints joints(drawing, layers);
   for (const bool is_of_one_layer : {true, false}) {
     if (is_of_one_layer && layers.empty()) continue;
+    // Ends of arcs that touch lines are off by rounding: what is the same there are ends of other outlines' lines.
+    joints.join_loops_within(reaches[1], is_of_one_layer);
     for (const Reach& reach : reaches) {
+      joints.join_loops_within(reach, is_of_one_layer);
       do {
         joints.join_within(reach, is_of_one_layer);
         joints.close_within(reach);
@@ -366,7 +406,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     if (is_done[i]) continue;
     Parts parts = parts_through(joints, i);
     const double widest = widest_gap(joints, parts);
-    if (is_empty_loop(curves, parts, widest)) {
+    if (parts.is_loop && is_empty_loop(curves, parts.list, widest)) {
       for (const Joined_part& part : parts.list)
         if (joints.gap(end_behind(part)) == widest) joints.part(end_behind(part));
       parts = parts_through(joints, i);
