@@ -54,7 +54,9 @@ Dxf_curve conic_curve(const Svg_transform& of_unit_circle, double from, double t
   constexpr double TURN = 360, QUARTER = 90;
   // Angles come rounded: one that is so little more than 90 degrees is not worth another piece.
   constexpr double ANGLE_SLACK = 1e-9;
-  double sweep = std::fmod(to - from, TURN);
+  // A turn further than an angle comes rounded, too: as no turn it would be open, or next to nothing.
+  const bool is_turn = std::fabs(std::fabs(to - from) - TURN) <= 0x1p-52 * (TURN + std::fabs(from));
+  double sweep = is_turn ? TURN : std::fmod(to - from, TURN);
   if (sweep <= 0) sweep += TURN;
   const bool is_closed = sweep == TURN;
   const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / QUARTER - ANGLE_SLACK)));

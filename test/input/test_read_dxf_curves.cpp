@@ -74,6 +74,13 @@ TEST(ReadDxf, TakesRangesBesideATurnForTurns) {
   expect_length(2 * PI * 359.9 / 360, arc("359.9"));
   expect_length(6.2833 - 2 * PI, ellipse("0", "6.2833"));
   EXPECT_TRUE(read_entities(arc("359.9999999")).curves.front().closed);
+  // a turn further than an angle is rounded either way, and is a turn
+  for (int i = 0; i < 100; ++i) {
+    const std::string from = std::to_string(0.0617 * i), to = std::to_string(0.0617 * i + 2 * PI);
+    const Curve_file file = read_entities(ellipse(from, to));
+    EXPECT_TRUE(file.curves.front().closed) << from;
+    EXPECT_NEAR(length_of(file), 2 * PI, NEAR) << from;
+  }
 }
 
 TEST(ReadDxf, ReadsOnceWhatIsThereTwice) {
