@@ -128,17 +128,22 @@ class Joints {
       : curves_(drawing.curves()), layers_(layers), size_(coordinate_size(drawing)),
         partner_(2 * curves_.size(), NONE) {}
 
-  // Joins loops whose curves follow each other in the drawing. Outlines are drawn so, and where several touch, in one
-  // direction even, nothing else tells them apart.
-  void join_loops_within(const Reach& reach, bool is_of_one_layer) {
+  // Joins loops whose curves follow each other in the drawing, on one layer, where tangents tell nothing else. Outlines
+  // are drawn so, and where several touch, in one direction even, only that tells them apart.
+  void join_loops_within(const Reach& reach) {
+    const Free_ends ends = free_ends(reach);
     for (std::size_t first = 0, next = 1; first < curves_.size(); first = next++) {
       for (const bool is_reversed : {false, true}) {
         std::vector<Joined_part> run{{first, is_reversed}};
-        const bool is_loop = goes_round(run, reach, is_of_one_layer);
+        const bool is_loop = goes_round(run, reach);
         next = (std::max)(next, first + run.size());
         if (!is_loop) continue;
-        for (std::size_t i = 0; i < run.size(); ++i)
-          join(end_behind(run[i]), other_end(end_behind(run[(i + 1) % run.size()])));
+        const auto begin_behind = [&](std::size_t i) { return other_end(end_behind(run[(i + 1) % run.size()])); };
+        bool is_told = true;
+        for (std::size_t i = 0; i < run.size() && is_told; ++i)
+          is_told = !goes_elsewhere(ends, end_behind(run[i]), begin_behind(i), reach) &&
+                    !goes_elsewhere(ends, begin_behind(i), end_behind(run[i]), reach);
+        for (std::size_t i = 0; i < run.size() && is_told; ++i) join(end_behind(run[i]), begin_behind(i));
         break;
       }
     }
@@ -151,13 +156,9 @@ class Joints {
   }
   // Joins what goes on straight in one other end within reach, where no third one nearly does. Whether there was any.
   bool join_straight_within(const Reach& reach, bool is_of_one_layer) {
-    // Tangents in files are rounded, and arcs are drawn by eye: a quarter of the angle would leave some apart. Twice
-    // as much would take corners for none.
-    constexpr double STRAIGHT = 0x1p-6, NEARLY = 4 * STRAIGHT;  // radians
     return join_only(
-        reach, is_of_one_layer,
-        [&](std::size_t a, std::size_t b) { return bend(a, b).at_least(reach.between(a, b)) <= NEARLY; },
-        [&](std::size_t a, std::size_t b) { return bend(a, b).at_most(reach.between(a, b)) <= STRAIGHT; });
+        reach, is_of_one_layer, [&](std::size_t a, std::size_t b) { return is_nearly_straight(a, b, reach); },
+        [&](std::size_t a, std::size_t b) { return is_straight(a, b, reach); });
   }
   // Closes chains whose own two ends are within reach, whatever else ends there.
   void close_within(const Reach& reach) {
@@ -208,11 +209,11 @@ class Joints {
   }
   // Adds the curves behind the first one of a run, as long as each begins where the one before it ends, up to one that
   // ends where the run begins. Whether there is such a one.
-  bool goes_round(std::vector<Joined_part>& run, const Reach& reach, bool is_of_one_layer) const {
+  bool goes_round(std::vector<Joined_part>& run, const Reach& reach) const {
     const std::size_t begin = other_end(end_behind(run.front()));
     if (curves_[begin / 2].is_closed || meet(begin, other_end(begin), reach)) return false;
     for (std::size_t next = begin / 2 + 1; next < curves_.size(); ++next) {
-      if (curves_[next].is_closed || (is_of_one_layer && layers_[next] != layers_[begin / 2])) return false;
+      if (curves_[next].is_closed || (!layers_.empty() && layers_[next] != layers_[begin / 2])) return false;
       const std::size_t end = end_behind(run.back());
       const bool is_reversed = meet(end, 2 * next + 1, reach);
       if (is_reversed == meet(end, 2 * next, reach)) return false;
@@ -233,6 +234,26 @@ class Joints {
     const double p = distance(u, {0, 0}), q = distance(v, {0, 0});
     if (p == 0 || q == 0) return {2, 0};
     return {distance(1 / p * u, -1 / q * v), 1 / p + 1 / q};
+  }
+  // Tangents in files are rounded, and arcs are drawn by eye: a quarter of the angle would leave some apart. Twice as
+  // much would take corners for none.
+  static constexpr double STRAIGHT = 0x1p-6, NEARLY = 4 * STRAIGHT;  // radians
+  [[nodiscard]] bool is_nearly_straight(std::size_t a, std::size_t b, const Reach& reach) const {
+    return bend(a, b).at_least(reach.between(a, b)) <= NEARLY;
+  }
+  [[nodiscard]] bool is_straight(std::size_t a, std::size_t b, const Reach& reach) const {
+    return bend(a, b).at_most(reach.between(a, b)) <= STRAIGHT;
+  }
+  // Whether a free end goes on straight in one that is not the one given, and no third one nearly does.
+  [[nodiscard]] bool goes_elsewhere(const Free_ends& ends, std::size_t end, std::size_t given,
+                                    const Reach& reach) const {
+    if (partner_[end] != NONE) return false;
+    const auto may = [&](std::size_t a, std::size_t b) {
+      return partner_[b] == NONE && is_nearly_straight(a, b, reach);
+    };
+    const auto found = beside(ends, end, reach, !layers_.empty(), may);
+    if (found.size() != 1 || found.front() == given || !is_straight(end, found.front(), reach)) return false;
+    return beside(ends, found.front(), reach, !layers_.empty(), may) == std::vector<std::size_t>{end};
   }
   [[nodiscard]] Point arm_at(std::size_t end) const {
     const auto& pieces = curves_[end / 2].beziers;
@@ -390,10 +411,11 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
   Joints joints(drawing, layers);
   for (const bool is_of_one_layer : {true, false}) {
     if (is_of_one_layer && layers.empty()) continue;
+    const bool has_order = is_of_one_layer || layers.empty();  // that of several layers tells nothing
     // Ends of arcs that touch lines are off by rounding: what is the same there are ends of other outlines' lines.
-    joints.join_loops_within(reaches[1], is_of_one_layer);
+    if (has_order) joints.join_loops_within(reaches[1]);
     for (const Reach& reach : reaches) {
-      joints.join_loops_within(reach, is_of_one_layer);
+      if (has_order) joints.join_loops_within(reach);
       do {
         joints.join_within(reach, is_of_one_layer);
         joints.close_within(reach);

@@ -41,14 +41,15 @@ struct Joined_curves {
 
 /// Joins open curves to chains and loops where exactly two ends meet, or two of several go on straight.
 ///
-/// Loops go first whose curves follow each other in the drawing, each from the end of the one before it, in either
-/// direction: outlines that touch are told apart so.
+/// Loops go first whose curves follow each other in the drawing, on one layer, each from the end of the one before it,
+/// in either direction, unless one of these goes on straight in another curve: outlines that touch are told apart so.
+///
 /// Two ends meet if they are at most eps apart. They are joined if no third end meets one of them. Ends that are the
 /// same go first, then those that rounding parts (2^-40 of the largest coordinate), then those within eps, then those
 /// whose own errors reach farther. What was joined counts no more. A chain whose own two ends meet is closed, whatever
 /// else ends there. Where more than two are left then, two are joined that go on straight: within 0.9 degrees, by
-/// however much ends were moved, and no third one within 3.6 degrees. Where layers are told, all this is done first with
-/// ends of one layer.
+/// however much ends were moved, and no third one within 3.6 degrees. Where layers are told, all this is done first
+/// with ends of one layer.
 ///
 /// * A joined curve has the name and the direction of the first of its parts; a loop begins with it. Other parts are
 ///   reversed where they have to be.
@@ -68,10 +69,11 @@ struct Joined_curves {
 /// \param layers a number a curve, or none
 /// \param errors by how much farther than others the ends of each curve may be off, at least 0; or none
 /// \guarantee pieces share their ends bit for bit. A point of a curve moves by no more than an end of its piece: at
-///   most eps and its errors, apart from rounding. No other control point moves, and no weight. The result is the same for curves in
-///   another order, but for such loops, its order, directions and which end is moved
+///   most eps and its errors, apart from rounding. No other control point moves, and no weight. The result is the same
+///   for curves in another order, but for loops that the order tells, its order, directions and which end is moved
 /// \complexity n log n for n curves, unless many ends are within eps of each other
-/// \throws std::invalid_argument for an eps that is no number or below 0, for such an error, and for a wrong number of layers or errors
+/// \throws std::invalid_argument for an eps or error that is no number or below 0, and for a wrong number of layers or
+///   errors
 [[nodiscard]] Joined_curves join_curves(const Drawing_2<double>& drawing, double eps,
                                         const std::vector<std::size_t>& layers = {},
                                         const std::vector<double>& errors = {});
