@@ -190,10 +190,8 @@ TEST(DrawnOutlines, LeaveOutChainsThatBoundNothing) {
                              edge(1, true, way[2], way[1]), edge(0, true, way[1], way[0])},
                             true,
                             std::nullopt});
-  outline.chains.push_back({{edge(0, false, way[0], way[1]), edge(1, false, way[1], way[2]),
-                             edge(2, false, way[2], way[0])},
-                            true,
-                            1});
+  outline.chains.push_back(
+      {{edge(0, false, way[0], way[1]), edge(1, false, way[1], way[2]), edge(2, false, way[2], way[0])}, true, 1});
   const Drawn_outline found = ba::drawn_outline(operands.trees(), outline);
   ASSERT_EQ(found.drawing.curves().size(), 1u);
   EXPECT_EQ(found.drawing.curves()[0].beziers.size(), 3u);

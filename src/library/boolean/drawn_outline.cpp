@@ -100,9 +100,8 @@ constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
   for (const Bezier_curve_2<double>& curve : chain)
     for (const Xy<double>& p : curve.control_points()) points.emplace_back(p.x, p.y);
   const auto other = std::find_if(points.begin(), points.end(), [&](const Point& p) { return p != points.front(); });
-  return other == points.end() || std::all_of(other, points.end(), [&](const Point& p) {
-           return CGAL::collinear(points.front(), *other, p);
-         });
+  return other == points.end() ||
+         std::all_of(other, points.end(), [&](const Point& p) { return CGAL::collinear(points.front(), *other, p); });
 }
 
 /// Whether a closed chain bounds nothing, as it was rounded: it is on one line, or all of it is gone back.

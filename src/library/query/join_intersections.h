@@ -68,7 +68,7 @@ class Curve_joints {
     return of_curve.is_closed ? Joint_place{first, {0, 0}} : Joint_place{bezier, t};
   }
   [[nodiscard]] bool is_point(std::uint32_t bezier) const { return curves_->is_point(bezier); }
-  /// The same place, at the start of the next piece that is no point.
+  /// Returns a place as the start of the next piece, where its own piece is a point.
   [[nodiscard]] Joint_place past_points(const Joint_place& p) const {
     Joint_place past = p;
     while (is_point(past.bezier)) {
