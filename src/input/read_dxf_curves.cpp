@@ -6,6 +6,7 @@
 
 #include "Curve_readers.h"
 #include "Dxf_contents.h"
+#include "Dxf_text.h"
 #include "Input_text.h"
 
 #include <CGAL/Bbox_2.h>
@@ -250,8 +251,8 @@ class Dxf_expansion {
       record.layer = valid_utf8(layer);
       record.colour = here.colour;
       const auto& [a, b, c, d, e, f] = here.transform;
-      record.end_error = std::max(std::hypot(a, b), std::hypot(c, d)) *
-                         contents_.digits.end_error(entity.kind, entity.arc_size);
+      record.end_error =
+          std::max(std::hypot(a, b), std::hypot(c, d)) * contents_.digits.end_error(entity.kind, entity.arc_size);
       record.name = is_named ? valid_utf8(layer) : entity.noun() + std::to_string(entity.number);
       if (!entity.name.empty()) record.name = valid_utf8(entity.name);
       else if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
@@ -288,7 +289,8 @@ class Dxf_expansion {
 }  // namespace
 
 Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Reading_options& options) {
-  const Dxf_contents contents = dxf_contents(text, file);
+  const std::optional<std::string> in_utf8 = dxf_as_utf8(text);
+  const Dxf_contents contents = dxf_contents(in_utf8 ? *in_utf8 : text, file);
   Dxf_expansion expansion(contents, options, file);
   expansion.visit(contents.drawing, {});
   return std::move(expansion).result();
