@@ -39,7 +39,10 @@ Curve_file with_rounding_of_doubles(Curve_file&& read) {
   for (const Curve_record& record : read.curves)
     for (const auto& bezier : record.beziers)
       for (const Xy<double>& p : bezier.control_points()) box += Bbox_2(p.x, p.y, p.x, p.y);
-  if (read.rounding > DETAIL * (std::max)(box.x_span(), box.y_span())) read.rounding = 0;
+  const double detail = DETAIL * (std::max)(box.x_span(), box.y_span());
+  if (read.rounding > detail) read.rounding = 0;
+  for (Curve_record& record : read.curves)
+    if (2 * record.end_error > detail) record.end_error = 0;  // two ends have one each
   const double size =
       (std::max)({std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()), std::fabs(box.ymax())});
   read.rounding = (std::max)(read.rounding, rounding_of_ends(size));

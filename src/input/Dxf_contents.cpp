@@ -4,7 +4,6 @@
 
 #include "Dxf_contents.h"
 
-#include "Dxf_digits.h"
 #include "Dxf_groups.h"
 #include "Dxf_units.h"
 #include "Input_text.h"
@@ -100,7 +99,6 @@ class Dxf_collector {
   /// Ends with the last item.
   [[nodiscard]] Dxf_contents result() && {
     finish();
-    contents.rounding = digits_.rounding();
     return std::move(contents);
   }
 
@@ -157,7 +155,8 @@ class Dxf_collector {
     entity.name = item.name;
     entity.number = ++numbers_[entity.noun()];
     entity.colour = colour_of(item);
-    digits_.take(item);
+    entity.arc_size = arc_size(item);
+    contents.digits.take(item);
     try {
       entity.is_invisible = item.integer(60, 0) == 1;
       entity.is_in_paper = section_ == "ENTITIES" ? item.integer(67, 0) == 1 : is_paper_ && open_ == &contents.drawing;
@@ -181,7 +180,6 @@ class Dxf_collector {
   std::map<std::string, std::size_t> numbers_;
   std::optional<Dxf_item> polyline_;
   std::vector<Dxf_item> vertices_;
-  Dxf_digits digits_;
 };
 
 }  // namespace

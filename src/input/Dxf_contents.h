@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_DXF_CONTENTS_H
 #define BOUNDING_ARCS_TOOL_DXF_CONTENTS_H
 
+#include "Dxf_digits.h"
 #include "Dxf_shapes.h"
 
 #include <cstddef>
@@ -42,6 +43,7 @@ struct Dxf_entity {
   std::string kind, layer, name;  ///< a name where the file tells one
   std::size_t number = 0;         ///< of its noun, from 1
   std::vector<Dxf_curve> curves;
+  double arc_size = 0;  ///< see Dxf_digits
   Dxf_insertion insertion;
   std::string reason;  ///< why it is left out, or empty
   std::string fault;   ///< what was wrong with it, though it was read, or empty
@@ -68,7 +70,7 @@ struct Dxf_contents {
   std::map<std::string, Dxf_layer> layers;
   bool has_end = false;   ///< the file ends with EOF
   double unit_in_mm = 0;  ///< by $INSUNITS; 0 for none
-  double rounding = 0;    ///< by the digits of numbers, see Dxf_digits; of blocks before they are scaled
+  Dxf_digits digits;      ///< of the numbers of all entities
 };
 
 /// A name of a block or layer as a key: their case does not count.

@@ -39,6 +39,21 @@ int digits_behind_point(std::string_view number) {
   return std::clamp(digits - std::clamp(exponent, -MOST, MOST), 0, MOST);
 }
 
+double arc_size(const Dxf_item& entity) {
+  constexpr double DIAGONAL = 1.5;  // above sqrt(2)
+  if (entity.kind == "ARC") return size_of(entity, 40);
+  if (entity.kind == "ELLIPSE") return DIAGONAL * std::max(size_of(entity, 11), size_of(entity, 21));
+  return 0;
+}
+
+double last_place_of_angles(const Dxf_item& item, int from, int to) {
+  constexpr int FEWEST = 3;  // 359.9 degrees leave a slit on purpose
+  int digits = 0;
+  for (const int code : {from, to})
+    if (const Dxf_group* group = item.find(code)) digits = std::max(digits, digits_behind_point(group->value));
+  return digits < FEWEST ? 0 : std::pow(10, -digits);
+}
+
 void Dxf_digits::take(const Dxf_item& entity) {
   const bool is_arc = entity.kind == "ARC", is_ellipse = entity.kind == "ELLIPSE";
   for (const Dxf_group& group : entity.groups) {
@@ -50,17 +65,19 @@ void Dxf_digits::take(const Dxf_item& entity) {
     int& most = is_degrees ? of_degrees_ : is_radians ? of_radians_ : of_lengths_;
     most = std::max(most, digits_behind_point(group.value));
   }
-  if (is_arc) largest_arc_ = std::max(largest_arc_, size_of(entity, 40));
-  if (is_ellipse) largest_ellipse_ = std::max({largest_ellipse_, size_of(entity, 11), size_of(entity, 21)});
 }
 
 double Dxf_digits::rounding() const {
   // Each number is off by half of its last place h. An end has two coordinates; that of an arc adds its radius:
-  // (sqrt(2) + 1) h / 2. Two such ends are apart by less than 3 h, and by one angle's last place along their arcs.
-  constexpr double LENGTHS = 3, DEGREE = 0.017453292519943295, DIAGONAL = 1.5;  // of the two half axes, above sqrt(2)
-  if (of_lengths_ < FEWEST_DIGITS) return 0;
-  return LENGTHS * last_place(of_lengths_) + largest_arc_ * DEGREE * last_place(of_degrees_) +
-         DIAGONAL * largest_ellipse_ * last_place(of_radians_);
+  // (sqrt(2) + 1) h / 2. Two such ends are apart by less than 3 h.
+  constexpr double LENGTHS = 3;
+  return LENGTHS * last_place(of_lengths_);
+}
+
+double Dxf_digits::end_error(std::string_view kind, double size) const {
+  constexpr double DEGREE = 0.017453292519943295;
+  const double last = kind == "ARC" ? DEGREE * last_place(of_degrees_) : last_place(of_radians_);
+  return size * last / 2;  // along the arc
 }
 
 }  // namespace bounding_arcs_tool

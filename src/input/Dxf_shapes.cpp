@@ -43,16 +43,20 @@ Dxf_curve polyline_curve(const std::vector<Dxf_vertex>& vertices, bool is_closed
   return curve;
 }
 
-double end_of_range(double from, double to) {
-  constexpr double TURN = 360, SLACK = 1e-4;
-  return std::fabs(std::fabs(to - from) - TURN) < SLACK ? from + TURN : to;
+double end_of_range(double from, double to, double last_place) {
+  constexpr double TURN = 360, SLACK = 1e-4;  // degrees: programs compute angles in floats, too
+  // A difference of two numbers that were rounded, or cut off, is off by less than a last place of them.
+  const double allowed = std::max(SLACK, last_place * (1 + 0x1p-20));
+  return std::fabs(std::fabs(to - from) - TURN) <= allowed ? from + TURN : to;
 }
 
 Dxf_curve conic_curve(const Svg_transform& of_unit_circle, double from, double to) {
   constexpr double TURN = 360, QUARTER = 90;
   // Angles come rounded: one that is so little more than 90 degrees is not worth another piece.
   constexpr double ANGLE_SLACK = 1e-9;
-  double sweep = std::fmod(to - from, TURN);
+  // A turn further than an angle comes rounded, too: as no turn it would be open, or next to nothing.
+  const bool is_turn = std::fabs(std::fabs(to - from) - TURN) <= 0x1p-52 * (TURN + std::fabs(from));
+  double sweep = is_turn ? TURN : std::fmod(to - from, TURN);
   if (sweep <= 0) sweep += TURN;
   const bool is_closed = sweep == TURN;
   const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / QUARTER - ANGLE_SLACK)));

@@ -26,10 +26,10 @@ struct Dxf_vertex {
 /// The polyline; arcs are rational quadratics. Empty where no two neighbours differ.
 [[nodiscard]] Dxf_curve polyline_curve(const std::vector<Dxf_vertex>& vertices, bool is_closed);
 
-/// The end of a range of angles, in degrees, of a turn where it is nearly one. Angles are written with as few as six
-/// digits behind the point, in radians: what is so near to a turn is meant to be one. Else it would be open, or next to
-/// nothing, by what was rounded.
-[[nodiscard]] double end_of_range(double from, double to);
+/// The end of a range of angles, in degrees, of a turn where it is one but for the digits that it was written with.
+/// Else it would be open, or next to nothing, by what was rounded.
+/// \param last_place that of the angles in the file, in degrees, see last_place_of_angles
+[[nodiscard]] double end_of_range(double from, double to, double last_place);
 
 /// The image of the unit circle between two angles in degrees, counterclockwise, in rational quadratics of at most 90
 /// degrees; all of it, closed, where the angles are 360 degrees apart. Quarters come out without rounding of angles.

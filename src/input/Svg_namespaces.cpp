@@ -13,6 +13,8 @@ namespace bounding_arcs_tool {
 
 namespace {
 
+constexpr const char* INKSCAPES = "inkscape";  // the prefix
+
 struct Qualified_name {
   std::string_view prefix, local;
 };
@@ -43,7 +45,12 @@ void Svg_namespaces::enter(pugi::xml_node element) {
   if (!is_svg && name.prefix.empty()) element.set_name(":");
   for (pugi::xml_attribute attribute : element.attributes()) {
     const auto [prefix, local] = split(attribute.name());
-    if (local == "href" && !prefix.empty() && of(prefix) == XLINK) attribute.set_name("xlink:href");
+    if (prefix.empty()) continue;  // of no namespace
+    const Namespace space = of(prefix);
+    if (local == "href" && space == XLINK) attribute.set_name("xlink:href");
+    else if (space == INKSCAPE && prefix != INKSCAPES)
+      attribute.set_name((INKSCAPES + (":" + std::string(local))).c_str());
+    else if (space != INKSCAPE && prefix == INKSCAPES) attribute.set_name(":");
   }
 }
 
@@ -55,8 +62,9 @@ void Svg_namespaces::leave(const pugi::xml_node& element) {
 // Some programs declare namespaces by entities, which are not resolved: their prefixes speak for them.
 Svg_namespaces::Namespace Svg_namespaces::declared(std::string_view prefix, std::string_view uri) {
   if (!uri.empty() && uri.front() == '&')
-    return prefix.empty() || prefix == "svg" ? SVG : prefix == "xlink" ? XLINK : OTHER;
+    return prefix.empty() || prefix == "svg" ? SVG : prefix == "xlink" ? XLINK : prefix == INKSCAPES ? INKSCAPE : OTHER;
   if (uri == "http://www.w3.org/2000/svg") return SVG;
+  if (uri == "http://www.inkscape.org/namespaces/inkscape") return INKSCAPE;
   return uri == "http://www.w3.org/1999/xlink" ? XLINK : OTHER;
 }
 

@@ -16,17 +16,18 @@
 namespace bounding_arcs_tool {
 
 /// The declarations around a place in a document, which must outlive this. Where nothing is declared, elements without
-/// prefix and those with `svg` are SVG's, and the prefix `xlink` is XLink's: so are files written by hand.
+/// prefix and those with `svg` are SVG's, the prefix `xlink` is XLink's and `inkscape` Inkscape's: so are files written
+/// by hand.
 class Svg_namespaces {
  public:
   /// Goes into an element, and renames it in place: an SVG element has no prefix any more, one of another namespace has
-  /// its own or is named `:`, and XLink's href is `xlink:href`.
+  /// its own or is named `:`, XLink's href is `xlink:href`, and Inkscape's attributes alone have the prefix `inkscape`.
   void enter(pugi::xml_node element);
   /// Goes out of the element that was entered last.
   void leave(const pugi::xml_node& element);
 
  private:
-  enum Namespace { SVG, XLINK, OTHER };
+  enum Namespace { SVG, XLINK, INKSCAPE, OTHER };
 
   [[nodiscard]] static Namespace declared(std::string_view prefix, std::string_view uri);
   [[nodiscard]] Namespace of(std::string_view prefix) const;

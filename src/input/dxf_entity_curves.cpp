@@ -4,6 +4,7 @@
 
 #include "dxf_entity_curves.h"
 
+#include "Dxf_digits.h"
 #include "Input_text.h"
 #include "dxf_hatch.h"
 #include "dxf_multiline.h"
@@ -44,16 +45,22 @@ Dxf_curve line(const Dxf_item& item) { return polyline_curve({{point(item, 10), 
 constexpr double TURN = 360;
 
 // What is told of a range that was made a turn; as many digits as that are rounding of radians that are whole turns.
-std::string fault_of_range(double from, double to) {
+std::string fault_of_range(double from, double to, double read_as) {
   constexpr double ROUNDING = 1e-9;
-  const double off = std::fabs(end_of_range(from, to) - from - std::fabs(to - from));
-  return off > ROUNDING && end_of_range(from, to) == from + TURN ? "nearly a full turn, read as one" : "";
+  const double off = std::fabs(read_as - from - std::fabs(to - from));
+  return off > ROUNDING && read_as == from + TURN ? "nearly a full turn, read as one" : "";
 }
 
 Dxf_curve circular(const Dxf_item& item, double from, double to) {
   const double r = radius(item.real(40));
   const Xy<double> center = point(item, 10);
-  return placed(item, conic_curve({r, 0, 0, r, center.x, center.y}, from, end_of_range(from, to)));
+  return placed(item, conic_curve({r, 0, 0, r, center.x, center.y}, from, to));
+}
+
+Dxf_drawn arc(const Dxf_item& item) {
+  const double from = item.real(50), to = item.real(51);
+  const double end = end_of_range(from, to, last_place_of_angles(item, 50, 51));
+  return {{circular(item, from, end)}, fault_of_range(from, to, end)};
 }
 
 // Center and axis are in the world's coordinates; seen from below it runs clockwise.
@@ -63,9 +70,9 @@ Dxf_drawn ellipse(const Dxf_item& item) {
   const double ratio = item.real(40) * (is_seen_from_below(item) ? -1 : 1);
   if ((axis.x == 0 && axis.y == 0) || ratio == 0) throw Dxf_left_out("an axis of length 0");
   const double from = item.real(41, 0) * DEGREES, to = item.real(42, TURN / DEGREES) * DEGREES;
-  return {{conic_curve({axis.x, axis.y, -ratio * axis.y, ratio * axis.x, center.x, center.y}, from,
-                       end_of_range(from, to))},
-          fault_of_range(from, to)};
+  const double end = end_of_range(from, to, last_place_of_angles(item, 41, 42) * DEGREES);
+  return {{conic_curve({axis.x, axis.y, -ratio * axis.y, ratio * axis.x, center.x, center.y}, from, end)},
+          fault_of_range(from, to, end)};
 }
 
 // Vertices of a light polyline follow each other among its groups.
@@ -224,10 +231,7 @@ std::vector<Dxf_curve> spline(const Dxf_item& item) {
 
 Dxf_drawn drawn(const Dxf_item& entity, const std::vector<Dxf_item>& vertices) {
   if (entity.kind == "LINE") return {{line(entity)}, ""};
-  if (entity.kind == "ARC") {
-    const double from = entity.real(50), to = entity.real(51);
-    return {{circular(entity, from, to)}, fault_of_range(from, to)};
-  }
+  if (entity.kind == "ARC") return arc(entity);
   if (entity.kind == "CIRCLE") return {{circular(entity, 0, TURN)}, ""};
   if (entity.kind == "ELLIPSE") return ellipse(entity);
   if (entity.kind == "LWPOLYLINE") return light_polyline(entity);

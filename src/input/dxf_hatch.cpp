@@ -9,6 +9,8 @@
 
 #include "dxf_hatch.h"
 
+#include "Dxf_digits.h"
+
 #include <CGAL/Bounding_arcs_2/curve/join_curves.h>
 
 #include <algorithm>
@@ -49,7 +51,8 @@ Dxf_curve edge_arc(const Dxf_item& edge) {
   const Xy<double> center = point(edge, 10);
   const double r = edge.real(40), from = edge.real(50), to = edge.real(51);
   if (!(r > 0)) throw Dxf_left_out("radius 0");
-  return conic_curve({r, 0, 0, edge.integer(73, 1) == 0 ? -r : r, center.x, center.y}, from, end_of_range(from, to));
+  return conic_curve({r, 0, 0, edge.integer(73, 1) == 0 ? -r : r, center.x, center.y}, from,
+                     end_of_range(from, to, last_place_of_angles(edge, 50, 51)));
 }
 
 // Angles are seen from the center: those of the circle that the ellipse is the image of differ.
@@ -65,7 +68,7 @@ Dxf_curve edge_ellipse(const Dxf_item& edge) {
   };
   const double from = edge.real(50), to = edge.real(51);
   return conic_curve({axis.x, axis.y, -side * axis.y, side * axis.x, center.x, center.y}, of_circle(from),
-                     of_circle(end_of_range(from, to)));
+                     of_circle(end_of_range(from, to, last_place_of_angles(edge, 50, 51))));
 }
 
 std::vector<Dxf_curve> edge_spline(Dxf_item edge) {

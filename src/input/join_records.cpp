@@ -18,6 +18,7 @@ namespace {
 struct Taking_part {
   Drawing_2<double> drawing;
   std::vector<std::size_t> numbers, layers;
+  std::vector<double> errors;
 };
 Taking_part taking_part(const std::vector<Curve_record>& records, const Drawing_2<double>& all, bool with_filled) {
   Taking_part part;
@@ -27,6 +28,7 @@ Taking_part taking_part(const std::vector<Curve_record>& records, const Drawing_
     if (curve.is_closed || (!with_filled && records[i].filling != Curve_record::NO_INSIDE)) continue;
     part.drawing.add(curve.beziers);
     part.numbers.push_back(i);
+    part.errors.push_back(records[i].end_error);
     part.layers.push_back(layers.try_emplace(records[i].layer, layers.size()).first->second);
   }
   return part;
@@ -51,7 +53,7 @@ Curve_record joined_record(Curve_record first, std::vector<Bezier_curve_2<double
 Joined_curves join_records(std::vector<Curve_record>& records, double eps, bool with_filled) {
   const Drawing_2<double> all = drawing<double>(records);
   const Taking_part part = taking_part(records, all, with_filled);
-  Joined_curves joined = join_curves(part.drawing, eps, part.layers);
+  Joined_curves joined = join_curves(part.drawing, eps, part.layers, part.errors);
   // Curves that took no part stay where they are, among the joined ones.
   std::vector<std::size_t> joined_at(records.size(), records.size());  // of the first part of a joined curve
   std::vector<bool> is_first(records.size(), true);

@@ -6,6 +6,7 @@
 
 #include "Curve_readers.h"
 #include "Dxf_contents.h"
+#include "Dxf_text.h"
 #include "Input_text.h"
 
 #include <CGAL/Bbox_2.h>
@@ -15,6 +16,7 @@
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -121,7 +123,7 @@ class Dxf_expansion {
       throw Input_error(file_, "file",
                         "no curve in the drawing" + (notes_.notes.empty() ? "" : "; " + text_of(notes_.notes)));
     return {std::move(records_), options_.rule.value_or(CGAL::Bounding_arcs::Fill_rule::EVEN_ODD),
-            std::move(notes_.notes), contents_.unit_in_mm, contents_.rounding};
+            std::move(notes_.notes), contents_.unit_in_mm, contents_.digits.rounding()};
   }
 
  private:
@@ -213,7 +215,7 @@ class Dxf_expansion {
     std::vector<Curve_record> others;
     for (std::size_t i = 0; i < records_.size(); ++i)
       if (!is_outline[i]) others.push_back(records_[i]);
-    const Known_curves known(others, contents_.rounding);
+    const Known_curves known(others, contents_.digits.rounding());
     std::vector<bool> is_left_out(records_.size());
     std::set<const Dxf_entity*> read;
     std::set<std::vector<double>> outlines;
@@ -248,6 +250,9 @@ class Dxf_expansion {
       record.type = Curve_record::PATH;
       record.layer = valid_utf8(layer);
       record.colour = here.colour;
+      const auto& [a, b, c, d, e, f] = here.transform;
+      record.end_error =
+          std::max(std::hypot(a, b), std::hypot(c, d)) * contents_.digits.end_error(entity.kind, entity.arc_size);
       record.name = is_named ? valid_utf8(layer) : entity.noun() + std::to_string(entity.number);
       if (!entity.name.empty()) record.name = valid_utf8(entity.name);
       else if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
@@ -284,7 +289,8 @@ class Dxf_expansion {
 }  // namespace
 
 Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Reading_options& options) {
-  const Dxf_contents contents = dxf_contents(text, file);
+  const std::optional<std::string> in_utf8 = dxf_as_utf8(text);
+  const Dxf_contents contents = dxf_contents(in_utf8 ? *in_utf8 : text, file);
   Dxf_expansion expansion(contents, options, file);
   expansion.visit(contents.drawing, {});
   return std::move(expansion).result();

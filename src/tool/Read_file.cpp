@@ -112,6 +112,8 @@ Read_file read_file(const std::string& path, const Reading_words& words) {
         "--layers", layers_of(read.file.curves));
   if (words.join != "none" && !(words.join.empty() && read.file.rounding == 0)) {
     const double eps = words.join.empty() ? read.file.rounding : std::strtod(words.join.c_str(), nullptr);
+    if (!words.join.empty())
+      for (Curve_record& record : read.file.curves) record.end_error = 0;  // no end is to be moved farther than told
     const ba::Joined_curves joined = join_records(read.file.curves, eps, !words.join.empty());
     read.parts.clear();
     for (const auto& parts : joined.parts) read.parts.push_back(parts.size());

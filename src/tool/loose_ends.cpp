@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
+#include <vector>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -70,11 +72,14 @@ Loose_ends loose_ends(const ba::Drawing_2<double>& drawing) {
   }
   if (ends.open == 0) return ends;
   const double size = extent(drawing);
-  ba::Joined_curves joined = ba::join_curves(open, ba::rounding_of_ends(ba::coordinate_size(drawing)));
+  // Order tells what the curves of a file are, not what these have become: each is on a layer of its own.
+  std::vector<std::size_t> layers(ends.open);
+  std::iota(layers.begin(), layers.end(), std::size_t(0));
+  ba::Joined_curves joined = ba::join_curves(open, ba::rounding_of_ends(ba::coordinate_size(drawing)), layers);
   // Details that are smaller than the gaps between others hide these: what is nearest goes first.
   for (const double share : {0x1p-30, 0x1p-20, 0x1p-10}) {
     if (joined.joints > 0) break;
-    joined = ba::join_curves(open, share * size);
+    joined = ba::join_curves(open, share * size, layers);
   }
   ends.gaps = joined.joints;
   ends.widest = rounded_up(joined.moved);

@@ -123,6 +123,7 @@ void convert_to_unit(ba::Curve_file& file, double in_mm, const std::string& name
   const Scaling scaled(file.unit_in_mm, in_mm);
   for (ba::Curve_record& record : file.curves) {
     scale(record.control_points, scaled, name, record.name);
+    record.end_error = scaled(record.end_error);
     for (ba::Bezier_curve_2<double>& piece : record.beziers) {
       std::vector<ba::Xy<double>> points = piece.control_points();
       scale(points, scaled, name, record.name);

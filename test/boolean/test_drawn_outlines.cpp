@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <random>
@@ -173,6 +174,29 @@ TEST(DrawnOutlines, AreNotMovedWhereNothingIsCut) {
   const Operands tiles({drawing_of(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})), drawing_of(circle({7, 0.5}, 2))});
   EXPECT_EQ(drawn(tiles, Boolean_operation::UNION).moved, 0);
   EXPECT_EQ(drawn(tiles, Boolean_operation::INTERSECTION).moved, 0);
+}
+
+// A chain that is rounded to a line and back, and one to a polyline and back, with what is around and inside of it.
+TEST(DrawnOutlines, LeaveOutChainsThatBoundNothing) {
+  const std::vector<Point> way{{0, 0}, {2, 1}, {3, 5}};
+  const Operands operands({drawing_of(polygon({{0, 0}, {2, 1}, {3, 5}}))});
+  const auto edge = [](std::uint32_t i, bool is_reversed, const Point& start, const Point& end) {
+    const ba::Bracket zero{0, 0}, one{1, 1};
+    return ba::Outline_part{0, 0, i, is_reversed ? one : zero, is_reversed ? zero : one, is_reversed, start, end};
+  };
+  Outline_2 outline;
+  outline.chains.push_back({{edge(0, false, way[0], way[1]), edge(0, true, way[1], way[0])}, true, std::nullopt});
+  outline.chains.push_back({{edge(0, false, way[0], way[1]), edge(1, false, way[1], way[2]),
+                             edge(1, true, way[2], way[1]), edge(0, true, way[1], way[0])},
+                            true,
+                            std::nullopt});
+  outline.chains.push_back(
+      {{edge(0, false, way[0], way[1]), edge(1, false, way[1], way[2]), edge(2, false, way[2], way[0])}, true, 1});
+  const Drawn_outline found = ba::drawn_outline(operands.trees(), outline);
+  ASSERT_EQ(found.drawing.curves().size(), 1u);
+  EXPECT_EQ(found.drawing.curves()[0].beziers.size(), 3u);
+  EXPECT_FALSE(found.outline.chains[0].parent) << "what was around it is left out";
+  EXPECT_EQ(ba::drawn_outline(operands.trees(), outline, {false}).drawing.curves().size(), 3u);
 }
 
 // Of nudged drawings many edges, and some chains, are shorter than doubles tell.

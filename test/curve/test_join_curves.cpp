@@ -71,10 +71,14 @@ TEST(JoinCurves, LeavesApartWhatIsFartherThanEps) {
 }
 
 TEST(JoinCurves, LeavesApartMoreThanTwoEndsAndTellsWhere) {
-  // A diagonal between two corners of a square: which way round is not clear.
-  const auto joined = join_curves(drawing_of({segment(0, 0, 1, 0), segment(1, 0, 1, 1), segment(1, 1, 0, 1),
-                                              segment(0, 1, 0, 0), segment(0, 0, 1, 1)}),
-                                  0);
+  // A diagonal between two corners of a square: which way round is not clear, unless order tells it.
+  const Piece bottom = segment(0, 0, 1, 0), right = segment(1, 0, 1, 1), top = segment(1, 1, 0, 1),
+              left = segment(0, 1, 0, 0), diagonal = segment(0, 0, 1, 1);
+  const auto told = join_curves(drawing_of({bottom, right, top, left, diagonal}), 0);
+  EXPECT_EQ(told.drawing.curves().size(), 2u);
+  EXPECT_TRUE(told.drawing.curves()[0].is_closed);
+  EXPECT_TRUE(told.crowded.empty());
+  const auto joined = join_curves(drawing_of({bottom, top, diagonal, right, left}), 0);
   EXPECT_EQ(joined.drawing.curves().size(), 3u);
   EXPECT_EQ(joined.crowded, (Points{{0, 0}, {1, 1}}));
   EXPECT_EQ(joined.joints, 2u);
@@ -217,12 +221,62 @@ TEST(JoinCurves, APieceThatBecomesAPointIsLeftOut) {
   EXPECT_EQ(joined.drawing.curves()[0].beziers.size(), 2u);
 }
 
+// What is left of a square without the circle in it: where two corners touch, all tangents are on one line.
+TEST(JoinCurves, TellsOutlinesThatTouchApartByTheirOrder) {
+  std::vector<Piece> corners;
+  for (const auto& [x, y] : Points{{2, 2}, {-2, 2}, {-2, -2}, {2, -2}}) {
+    corners.emplace_back(Points{{x, 0}, {x, y}, {0, y}}, std::vector<double>{1, std::sqrt(0.5), 1});
+    corners.push_back(segment(x, y, 0, y));
+    corners.push_back(segment(x, y, x, 0));
+  }
+  for (const double eps : {0.0, 1e-6}) {
+    const auto joined = join_curves(drawing_of(corners), eps);
+    ASSERT_EQ(joined.drawing.curves().size(), 4u);
+    EXPECT_TRUE(joined.crowded.empty());
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_TRUE(joined.drawing.curves()[i].is_closed);
+      ASSERT_EQ(joined.parts[i].size(), 3u);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(joined.parts[i][k].curve, 3 * i + k);
+      EXPECT_TRUE(joined.parts[i][1].is_reversed);
+    }
+  }
+  // arcs whose ends are off by rounding
+  std::vector<Piece> rounded = corners;
+  for (std::size_t i = 0; i < rounded.size(); i += 3) {
+    Points points = rounded[i].control_points();
+    points.front().y += 1e-14, points.back().x -= 1e-14;
+    rounded[i] = Piece(points, rounded[i].weights());
+  }
+  EXPECT_EQ(join_curves(drawing_of(rounded), 1e-6).drawing.curves().size(), 4u);
+  // nothing tells them apart where they do not follow each other
+  std::vector<Piece> mixed;
+  for (std::size_t i = 0; i < corners.size(); ++i) mixed.push_back(corners[5 * i % corners.size()]);
+  EXPECT_EQ(join_curves(drawing_of(mixed), 0).crowded.size(), 4u);
+  // what runs there and back is no outline
+  const auto twice = join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 0, 0), segment(4, 0, 4, 3)}), 0);
+  EXPECT_EQ(twice.joints, 0u);
+}
+
+TEST(JoinCurves, ErrorsOfACurveCountForItsOwnEndsAlone) {
+  const auto loose = drawing_of({segment(0, 0, 4, 0), segment(4, 0.05, 4, 3), segment(4, 3.05, 0, 3)});
+  EXPECT_EQ(join_curves(loose, 0.01, {}, {0, 0, 0.04}).drawing.curves().size(), 2u);
+  EXPECT_EQ(join_curves(loose, 0.01, {}, {0, 0.04, 0}).drawing.curves().size(), 1u);
+  EXPECT_EQ(join_curves(loose, 0.01, {}, {0.02, 0.02, 0}).drawing.curves().size(), 2u) << "two errors";
+  // ends within the distance go first, whatever the errors of others reach
+  const auto crowd = drawing_of({segment(0, 0, 4, 0), segment(4, 0.01, 4, 3), segment(4, 0.05, 8, 9)});
+  const auto joined = join_curves(crowd, 0.01, {}, {0, 0, 1});
+  EXPECT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_EQ(joined.parts[0].size(), 2u);
+}
+
 TEST(JoinCurves, RefusesWhatIsNoDistance) {
   const auto drawing = drawing_of({segment(0, 0, 1, 1)});
   EXPECT_THROW((void)join_curves(drawing, -1e-9), std::invalid_argument);
   EXPECT_THROW((void)join_curves(drawing, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW((void)join_curves(drawing, std::numeric_limits<double>::infinity()), std::invalid_argument);
   EXPECT_THROW((void)join_curves(drawing, 1, {1, 2}), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, 1, {}, {1, 2}), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, 1, {}, {-1}), std::invalid_argument);
   EXPECT_TRUE(join_curves({}, 1).drawing.curves().empty());
 }
 

@@ -27,6 +27,8 @@ std::string line(const std::string& layer, const std::string& x0, const std::str
   return "0|LINE|8|" + layer + "|10|" + x0 + "|20|" + y0 + "|11|" + x1 + "|21|" + y1 + "|";
 }
 
+constexpr double DEGREE = 0.017453292519943295;
+
 TEST(JoinRecords, AJoinedRecordIsAPathWithNameAndLayerOfTheFirst) {
   Curve_file file = read_dxf(line("Cut", "0", "0", "4", "0") + line("Cut", "4", "3", "4", "0") +
                              "0|CIRCLE|8|0|10|2|20|1|40|0.5|" + line("Cut", "4", "3", "0", "0"));
@@ -93,10 +95,32 @@ TEST(JoinRecords, RoundingIsThatOfDoublesOrOfTheDigitsOfAFile) {
   EXPECT_NEAR(read_dxf(line("0", "0.000000", "0", "100.000000", "50")).rounding, 3e-6, 1e-12);
   EXPECT_NEAR(read_dxf(line("0", "1.5e-05", "0", "100", "50")).rounding, 3e-6, 1e-12);
   EXPECT_EQ(read_dxf(line("0", "0.000001", "0", "0.01", "0.01")).rounding, 0x1p-40 * 0.01) << "that would be details";
-  // Angles in degrees with four digits move an end of an arc of radius 50 by up to 5e-5.
+  // Angles in degrees with four digits move either end of an arc of radius 50 by half as much as their last place.
   const std::string arc = "0|ARC|8|0|10|0.000000|20|0|40|50.000000|50|0.0000|51|";
-  EXPECT_NEAR(read_dxf(arc + "90.0000|").rounding, 3e-6 + 50 * 1e-4 * 3.14159265358979 / 180, 1e-10);
-  EXPECT_NEAR(read_dxf(arc.substr(0, arc.size() - 10) + "0|51|90|").rounding, 3e-6, 1e-10) << "whole degrees";
+  const Curve_file of_angles = read_dxf(arc + "90.0000|" + line("0", "0", "0", "1", "1"));
+  EXPECT_NEAR(of_angles.rounding, 3e-6, 1e-10);
+  EXPECT_NEAR(of_angles.curves[0].end_error, 50 * 1e-4 * DEGREE / 2, 1e-10);
+  EXPECT_EQ(of_angles.curves[1].end_error, 0) << "a line has no angles";
+  const Curve_file of_degrees = read_dxf(arc.substr(0, arc.size() - 10) + "0|51|90|");
+  EXPECT_NEAR(of_degrees.rounding, 3e-6, 1e-10);
+  EXPECT_EQ(of_degrees.curves[0].end_error, 0) << "whole degrees";
+  EXPECT_EQ(read_dxf("0|ARC|8|0|10|0|20|0|40|1|50|0.0000|51|90.0000|").curves[0].end_error, 1e-4 * (DEGREE / 2));
+}
+
+TEST(JoinRecords, AnglesOfFewDigitsCountForTheEndsOfTheirArcsAlone) {
+  const std::string triangle = line("0", "0.0", "0", "60.0", "0") + line("0", "60", "0.0001", "30", "40") +
+                               line("0", "30", "40", "0", "0"),
+                    ellipse = "0|ELLIPSE|8|0|10|30|20|15|11|5.0|21|0|40|0.5|41|0|42|3.1416|";
+  Curve_file loose = read_dxf(triangle + ellipse);
+  (void)join_records(loose.curves, loose.rounding);
+  ASSERT_EQ(loose.curves.size(), 2u);
+  EXPECT_TRUE(loose.curves[0].closed);
+  // The ellipse's own end is off by 1.8e-5, in a file whose lengths have six digits.
+  const std::string half = line("0", "0.000001", "40.000000", "60", "40") + line("0", "35", "15", "25", "15.000000");
+  Curve_file closed = read_dxf(half + ellipse);
+  (void)join_records(closed.curves, closed.rounding);
+  ASSERT_EQ(closed.curves.size(), 2u);
+  EXPECT_TRUE(closed.curves[1].closed);
 }
 
 }  // namespace

@@ -52,17 +52,35 @@ TEST(ReadDxf, TakesRangesBesideATurnForTurns) {
     return "0|ELLIPSE|8|0|10|9|20|0|11|1|21|0|40|1|41|" + from + "|42|" + to + "|";
   };
   const std::string note = ": nearly a full turn, read as one";
-  for (const char* to : {"360.0000001", "359.9999999", "360.00001", "359.99995"})
+  for (const char* to : {"360.0000001", "359.9999999", "360.00001", "359.99995", "360.001", "359.9999"})
     expect_length(2 * PI, arc(to), "read all the same: 1 ARC" + note);
   for (const char* to : {"6.283185", "6.2831854", "6.28318531"})
     expect_length(2 * PI, ellipse("0", to), "read all the same: 1 ELLIPSE" + note);
-  expect_length(2 * PI, ellipse("3.141593", "9.424778"), "read all the same: 1 ELLIPSE" + note);
+  using Range = std::pair<const char*, const char*>;
+  for (const auto& [from, to] : {Range{"3.141593", "9.424778"},
+                                 {"0", "6.2832"},
+                                 {"0.0", "6.28319"},
+                                 {"0", "6.283"},
+                                 {"1.5708", "7.854"},
+                                 {"0.5236", "6.8068"},
+                                 {"-3.1416", "3.1416"},
+                                 {"3.1416", "9.4248"}})
+    expect_length(2 * PI, ellipse(from, to), "read all the same: 1 ELLIPSE" + note);
   expect_length(2 * PI, arc("360"));
   expect_length(2 * PI, ellipse("0", "6.283185307179586"));
   expect_length(2 * PI * 359 / 360, arc("359"));
   expect_length(PI / 180 * 1e-3, arc("0.001"));
-  expect_length(PI / 180 * 1e-3, arc("360.001"));
+  expect_length(PI / 180 * 1e-3, arc("360.00100"));  // which five digits tell
+  expect_length(2 * PI * 359.9 / 360, arc("359.9"));
+  expect_length(6.2833 - 2 * PI, ellipse("0", "6.2833"));
   EXPECT_TRUE(read_entities(arc("359.9999999")).curves.front().closed);
+  // a turn further than an angle is rounded either way, and is a turn
+  for (int i = 0; i < 100; ++i) {
+    const std::string from = std::to_string(0.0617 * i), to = std::to_string(0.0617 * i + 2 * PI);
+    const Curve_file file = read_entities(ellipse(from, to));
+    EXPECT_TRUE(file.curves.front().closed) << from;
+    EXPECT_NEAR(length_of(file), 2 * PI, NEAR) << from;
+  }
 }
 
 TEST(ReadDxf, ReadsOnceWhatIsThereTwice) {

@@ -97,6 +97,14 @@ TEST(ReadLooks, LayersOfSvgAreThoseOfInkscape) {
   EXPECT_EQ(records[1].layer, "");
   EXPECT_EQ(records[2].layer, "a & b");
   EXPECT_EQ(records[3].layer, "c");
+  // by the namespace, whatever its prefix
+  const Records named =
+      svg("<g xmlns:ink='http://www.inkscape.org/namespaces/inkscape' ink:groupmode='layer' "
+          "ink:label='d'><rect width='4' height='2'/></g><g xmlns:inkscape='http://example.org' "
+          "inkscape:groupmode='layer' inkscape:label='e'><rect width='4' height='2'/></g>");
+  ASSERT_EQ(named.size(), 2u);
+  EXPECT_EQ(named[0].layer, "d");
+  EXPECT_EQ(named[1].layer, "");
 }
 
 TEST(ReadLooks, PagesOfSvgAreAsTheyStandThere) {

@@ -57,6 +57,13 @@ expect_status 0
 run boolean union a.json a.json b.json --kernel exact
 expect_area 7
 
+# A sliver that is narrower than rounding is no chain along a line and back.
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0-1L.7.1 4.9.7 0 0Z"/></svg>' > sliver.svg
+run boolean union sliver.svg
+expect_status 0
+[ "$(grep -c '"type":"path"' "$results/out")" -eq 1 ] || fail "$command_line: not one chain: $(cat "$results/out")"
+! grep -q '"moved":0[,}]' "$results/out" || fail "$command_line: the sliver was not counted"
+
 # How far rounding moved the result: not at all where no curve is cut inside.
 run boolean union a.json c.json
 grep -q '"status":"complete","moved":0,"curves"' "$results/out" || fail "$command_line: $(head -c 99 "$results/out")"

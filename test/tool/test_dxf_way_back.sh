@@ -100,6 +100,62 @@ expect_status 0
 ! grep -q SPLINE out.dxf || fail "$command_line: has a spline"
 audit out.dxf
 
+# Corners that touch where all tangents agree come back as they were written: by the order of their entities.
+svg() { printf '<svg xmlns="http://www.w3.org/2000/svg"><%s/></svg>' "$1"; }
+svg 'rect width="4" height="2"' > rect.svg
+svg 'ellipse cx="2" cy="1" rx="2" ry="1"' > ellipse.svg
+svg 'rect width="4" height="4"' > square.svg
+svg 'circle cx="2" cy="2" r="2"' > circle.svg
+for words in 'rect ellipse 1.71681' 'square circle 3.43363'; do
+  read -r plate hole area <<< "$words"
+  for more in '' '--dxf-entities arcs --eps 1e-9'; do
+    # shellcheck disable=SC2086
+    run boolean difference "$plate.svg" "$hole.svg" $more -o corners.dxf
+    expect_status 0
+    run info corners.dxf --format csv
+    [ "$(cut -d, -f4 "$results/out" | sort | uniq -c | tr -s ' ' | tr '\n' ,)" = ' 1 closed, 4 true,' ] ||
+      fail "$command_line of $words $more: not 4 closed curves: $(cat "$results/out")"
+    sum=$(cut -d, -f7 "$results/out" | awk '{ sum += $1 < 0 ? -$1 : $1 } END { printf "%.5f", sum }')
+    [ "$sum" = "$area" ] || fail "$command_line: area $sum instead of $area"
+  done
+done
+
+# Names of layers come back: blanks, letters beyond ASCII and beyond 16 bits; what DXF allows in no name is a _.
+names=('Layer 1' $'Schn\xc3\xa4tt' $'Schn\xc3\xb6tt' $'\xe5\x88\x87\xe5\x89\xb2' $'a \xf0\x9f\x98\x80'
+  $' a/b\xc3\xa4? ')
+for i in "${!names[@]}"; do
+  printf '<g inkscape:groupmode="layer" inkscape:label="%s"><rect id="%s" x="%s" width="4" height="2"/></g>' \
+    "${names[i]}" $'Ma\xc3\x9f'"$i" "${i}0"
+done > shapes
+printf '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="%s">%s</svg>' \
+  http://www.inkscape.org/namespaces/inkscape "$(cat shapes)" > names.svg
+run boolean union names.svg -o names.dxf
+expect_status 0
+! grep -q '[^ -~]' names.dxf || fail "$command_line: not in ASCII"
+expect_lines '0 7 -
+Layer 1 7 -
+Schn\U+00E4tt 7 -
+Schn\U+00F6tt 7 -
+\U+5207\U+5272 7 -
+_a_b\U+00E4__ 7 -
+a \U+D83D\U+DE00 7 -' layers names.dxf
+audit names.dxf
+names[5]=$'_a_b\xc3\xa4__'
+run info names.dxf --format csv
+for i in "${!names[@]}"; do
+  grep -qF ",Ma"$'\xc3\x9f'"$i,${names[i]},true" "$results/out" ||
+    fail "$command_line: ${names[i]} has another name: $(cat "$results/out")"
+done
+# Files before DXF 2007 have bytes of a code page, which their header tells.
+dxf "$(square $'Stra\xdfe \x80' '' 0 9)" | sed '/^$/d' > page.dxf
+run info page.dxf --format csv
+grep -qF $'Stra\xef\xbf\xbde' "$results/out" || fail "$command_line: a page that is not told: $(cat "$results/out")"
+sed -i 's/^\$INSUNITS$/$DWGCODEPAGE\n3\nansi_1252\n9\n$INSUNITS/' page.dxf
+run info page.dxf --format csv
+grep -qF $'Stra\xc3\x9fe \xe2\x82\xac' "$results/out" || fail "$command_line: $(cat "$results/out")"
+run info page.dxf --layers $'stra\xc3\x9fe \xe2\x82\xac'
+expect_status 0
+
 # Parts, axes, thin places.
 run clip in.svg in.svg --keep on -o out.dxf
 expect_status 0

@@ -37,6 +37,20 @@ finds END '0,/"from":[0-9]*,/s//"from":3,/'
 finds BOUND 's/"bound":[0-9.e-]*/"bound":1e-9/'
 finds FORM 's/\[\[0,[0-9]*,/[[7,0,/'
 
+# A vertex that is there twice is no crossing.
+path() { printf '{"type":"path","pieces":[%s]}' "$(printf ',{"control_points":[%s]}' "$@" | cut -c2-)"; }
+path '[0,0],[2,0]' '[2,0],[2,0]' '[2,0],[2,0]' '[2,0],[2,2]' '[2,2],[0,0]' '[0,0],[0,0]' > twice.json
+run medial-axis twice.json --eps 1e-3 --cells -o cells.json
+expect_status 0
+run medial-axis twice.json --eps 1e-3 --feet --prove -o twice_axis.json
+expect_status 0
+run verify-axis twice.json twice_axis.json
+expect_status 0
+# but passing it again is one
+path '[0,0],[2,0]' '[2,0],[2,0]' '[2,0],[2,2]' '[2,2],[3,0]' '[3,0],[2,0]' '[2,0],[0,0]' > again.json
+run medial-axis again.json --eps 1e-3 --cells -o cells.json
+expect_status 1
+
 # What is no axis of the curves is refused, with its place.
 # refuses PATTERN SCRIPT
 refuses() {

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -93,6 +94,29 @@ constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
                        part.start, part.end);
 }
 
+[[nodiscard]] bool is_on_one_line(const std::vector<Bezier_curve_2<double>>& chain) {
+  using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
+  std::vector<Point> points;
+  for (const Bezier_curve_2<double>& curve : chain)
+    for (const Xy<double>& p : curve.control_points()) points.emplace_back(p.x, p.y);
+  const auto other = std::find_if(points.begin(), points.end(), [&](const Point& p) { return p != points.front(); });
+  return other == points.end() ||
+         std::all_of(other, points.end(), [&](const Point& p) { return CGAL::collinear(points.front(), *other, p); });
+}
+
+/// Whether a closed chain bounds nothing, as it was rounded: it is on one line, or all of it is gone back.
+[[nodiscard]] bool bounds_nothing(const std::vector<Bezier_curve_2<double>>& chain) {
+  std::vector<const Bezier_curve_2<double>*> way;  // without what was gone back so far
+  for (const Bezier_curve_2<double>& curve : chain) {
+    const Bezier_curve_2<double> back = curve.reversed();
+    const bool is_back = !way.empty() && way.back()->control_points() == back.control_points() &&
+                         way.back()->weights() == back.weights();
+    if (is_back) way.pop_back();
+    else way.push_back(&curve);
+  }
+  return way.empty() || is_on_one_line(chain);
+}
+
 void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& drawing) {
   const std::string number = std::to_string(drawing.curves().size() + 1);
   drawing.add(std::move(chain), "outline " + number);
@@ -133,6 +157,7 @@ Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees
   for (const Outline_chain& given : outline.chains) {
     Outline_chain chain{{}, given.is_ccw, std::nullopt};
     std::vector<Bezier_curve_2<double>> curves;
+    double largest_error = 0;  // of them
     for (const Outline_part& part : given.parts) {
       const Drawing_2<double>& of = trees.at(part.operand)->drawing();
       Bezier_curve_2<double> curve = internal::curve_of(part, of);
@@ -142,11 +167,17 @@ Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees
       const bool is_tiny = options.drops_tiny_parts && part.start == part.end && size <= error;
       result.moved = (std::max)(result.moved, (is_tiny ? error + size : error) * UP);
       if (is_tiny) continue;
+      largest_error = (std::max)(largest_error, error);
       curves.push_back(std::move(curve));
       chain.parts.push_back(part);
     }
     numbers.push_back(std::nullopt);
     if (curves.empty()) continue;
+    if (options.drops_tiny_parts && internal::bounds_nothing(curves)) {
+      // One side of what it bounds is within an error of the way there, and so is the other one of the same way back.
+      result.moved = (std::max)(result.moved, 2 * largest_error * UP);
+      continue;
+    }
     numbers.back() = result.outline.chains.size();
     parents.push_back(given.parent);
     result.outline.chains.push_back(std::move(chain));

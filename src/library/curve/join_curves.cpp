@@ -37,12 +37,52 @@ bool is_within(const std::vector<Piece>& pieces, const Point& start, double r) {
   });
 }
 
+std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
+
+std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
+  if (!is_reversed) return curve.beziers;
+  std::vector<Piece> pieces;
+  for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece) pieces.push_back(piece->reversed());
+  return pieces;
+}
+
+// Whether nothing of a loop is left to be a curve: it is within its moves, or two curves one upon the other.
+bool is_empty_loop(const std::vector<Curve>& curves, const std::vector<Joined_part>& loop, double moved) {
+  std::vector<Piece> pieces;
+  for (const Joined_part& part : loop) {
+    const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  if (is_within(pieces, pieces.front().control_points().front(), moved)) return true;
+  if (loop.size() != 2) return false;
+  const std::vector<Piece> one = pieces_of(curves[loop[0].curve], false),
+                           two = pieces_of(curves[loop[1].curve], !loop[1].is_reversed);
+  return std::equal(one.begin(), one.end(), two.begin(), two.end(), [&](const Piece& a, const Piece& b) {
+    const auto &p = a.control_points(), &q = b.control_points();
+    return a.weights() == b.weights() && std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                                                    [&](auto& s, auto& t) { return distance(s, t) <= moved; });
+  });
+}
+
 // From the start of a piece to the next control point that is another one; 0 for a point.
 Point arm(const Piece& piece) {
   const auto& points = piece.control_points();
   const auto next = std::find_if(points.begin(), points.end(), [&](const Point& p) { return p != points.front(); });
   return next == points.end() ? Point{0, 0} : *next - points.front();
 }
+
+// How far apart two ends may be that meet: by as much for all, and what their own curves add where that counts.
+struct Reach {
+  double of_all;
+  const std::vector<double>* of_curves = nullptr;
+
+  [[nodiscard]] double between(std::size_t a, std::size_t b) const {
+    return of_curves == nullptr ? of_all : of_all + (*of_curves)[a / 2] + (*of_curves)[b / 2];
+  }
+  [[nodiscard]] double widest() const {
+    return of_curves == nullptr ? of_all : of_all + 2 * *std::max_element(of_curves->begin(), of_curves->end());
+  }
+};
 
 // Ends that are free, in cells of a grid: those within a distance are in the cells around.
 class Free_ends {
@@ -88,39 +128,55 @@ class Joints {
       : curves_(drawing.curves()), layers_(layers), size_(coordinate_size(drawing)),
         partner_(2 * curves_.size(), NONE) {}
 
+  // Joins loops whose curves follow each other in the drawing, on one layer, where tangents tell nothing else. Outlines
+  // are drawn so, and where several touch, in one direction even, only that tells them apart.
+  void join_loops_within(const Reach& reach) {
+    const Free_ends ends = free_ends(reach);
+    for (std::size_t first = 0, next = 1; first < curves_.size(); first = next++) {
+      for (const bool is_reversed : {false, true}) {
+        std::vector<Joined_part> run{{first, is_reversed}};
+        const bool is_loop = goes_round(run, reach);
+        next = (std::max)(next, first + run.size());
+        if (!is_loop) continue;
+        const auto begin_behind = [&](std::size_t i) { return other_end(end_behind(run[(i + 1) % run.size()])); };
+        bool is_told = true;
+        for (std::size_t i = 0; i < run.size() && is_told; ++i)
+          is_told = !goes_elsewhere(ends, end_behind(run[i]), begin_behind(i), reach) &&
+                    !goes_elsewhere(ends, begin_behind(i), end_behind(run[i]), reach);
+        for (std::size_t i = 0; i < run.size() && is_told; ++i) join(end_behind(run[i]), begin_behind(i));
+        break;
+      }
+    }
+  }
   // Joins what has one other end within reach that has no third one.
-  void join_within(double reach, bool is_of_one_layer) {
+  void join_within(const Reach& reach, bool is_of_one_layer) {
     join_only(
         reach, is_of_one_layer, [](std::size_t, std::size_t) { return true; },
         [](std::size_t, std::size_t) { return true; });
   }
   // Joins what goes on straight in one other end within reach, where no third one nearly does. Whether there was any.
-  bool join_straight_within(double reach, bool is_of_one_layer) {
-    // Tangents in files are rounded, and arcs are drawn by eye: a quarter of the angle would leave some apart. Twice
-    // as much would take corners for none.
-    constexpr double STRAIGHT = 0x1p-6, NEARLY = 4 * STRAIGHT;  // radians
+  bool join_straight_within(const Reach& reach, bool is_of_one_layer) {
     return join_only(
-        reach, is_of_one_layer, [&](std::size_t a, std::size_t b) { return bend(a, b).at_least(reach) <= NEARLY; },
-        [&](std::size_t a, std::size_t b) { return bend(a, b).at_most(reach) <= STRAIGHT; });
+        reach, is_of_one_layer, [&](std::size_t a, std::size_t b) { return is_nearly_straight(a, b, reach); },
+        [&](std::size_t a, std::size_t b) { return is_straight(a, b, reach); });
   }
   // Closes chains whose own two ends are within reach, whatever else ends there.
-  void close_within(double reach) {
+  void close_within(const Reach& reach) {
     for_each_free([&](std::size_t end) {
       std::size_t last = other_end(end);
       while (partner_[last] != NONE) last = other_end(partner_[last]);
       const double gap = distance(place(end), place(last));
-      if (!(gap <= reach) || is_chain_within(end, gap)) return;
-      partner_[end] = last;
-      partner_[last] = end;
+      if (!(gap <= reach.between(end, last)) || is_chain_within(end, gap)) return;
+      join(end, last);
     });
   }
   // Where ends are left apart, as more than two meet.
-  [[nodiscard]] std::vector<Point> crowded(double reach) const {
+  [[nodiscard]] std::vector<Point> crowded(const Reach& reach) const {
     const Free_ends ends = free_ends(reach);
-    Free_ends told(reach, least_cell());
+    Free_ends told(reach.widest(), least_cell());
     std::vector<Point> places;
     for_each_free([&](std::size_t end) {
-      if (beside(ends, end, false, [](std::size_t, std::size_t) { return true; }).size() < 2) return;
+      if (beside(ends, end, reach, false, [](std::size_t, std::size_t) { return true; }).size() < 2) return;
       if (told.beside(NONE, place(end), [](std::size_t) { return true; }).empty()) places.push_back(place(end));
       told.add(end, place(end));
     });
@@ -142,6 +198,31 @@ class Joints {
   [[nodiscard]] double least_cell() const {
     return (std::max)(std::ldexp(size_, -44), std::numeric_limits<double>::min());
   }
+  void join(std::size_t a, std::size_t b) {
+    partner_[a] = b;
+    partner_[b] = a;
+  }
+  // Whether two ends are joined, or may be.
+  [[nodiscard]] bool meet(std::size_t a, std::size_t b, const Reach& reach) const {
+    if (partner_[a] != NONE || partner_[b] != NONE) return partner_[a] == b;
+    return distance(place(a), place(b)) <= reach.between(a, b);
+  }
+  // Adds the curves behind the first one of a run, as long as each begins where the one before it ends, up to one that
+  // ends where the run begins. Whether there is such a one.
+  bool goes_round(std::vector<Joined_part>& run, const Reach& reach) const {
+    const std::size_t begin = other_end(end_behind(run.front()));
+    if (curves_[begin / 2].is_closed || meet(begin, other_end(begin), reach)) return false;
+    for (std::size_t next = begin / 2 + 1; next < curves_.size(); ++next) {
+      if (curves_[next].is_closed || (!layers_.empty() && layers_[next] != layers_[begin / 2])) return false;
+      const std::size_t end = end_behind(run.back());
+      const bool is_reversed = meet(end, 2 * next + 1, reach);
+      if (is_reversed == meet(end, 2 * next, reach)) return false;
+      run.push_back({next, is_reversed});
+      if (meet(end_behind(run.back()), begin, reach)) return !is_empty_loop(curves_, run, reach.widest());
+    }
+    return false;
+  }
+
   // How far the way through two ends is from a straight one: 2 at most, and less certain where ends were moved.
   struct Bend {
     double size, turn;  // turn: by how much it changes where both ends are moved by 1
@@ -154,6 +235,26 @@ class Joints {
     if (p == 0 || q == 0) return {2, 0};
     return {distance(1 / p * u, -1 / q * v), 1 / p + 1 / q};
   }
+  // Tangents in files are rounded, and arcs are drawn by eye: a quarter of the angle would leave some apart. Twice as
+  // much would take corners for none.
+  static constexpr double STRAIGHT = 0x1p-6, NEARLY = 4 * STRAIGHT;  // radians
+  [[nodiscard]] bool is_nearly_straight(std::size_t a, std::size_t b, const Reach& reach) const {
+    return bend(a, b).at_least(reach.between(a, b)) <= NEARLY;
+  }
+  [[nodiscard]] bool is_straight(std::size_t a, std::size_t b, const Reach& reach) const {
+    return bend(a, b).at_most(reach.between(a, b)) <= STRAIGHT;
+  }
+  // Whether a free end goes on straight in one that is not the one given, and no third one nearly does.
+  [[nodiscard]] bool goes_elsewhere(const Free_ends& ends, std::size_t end, std::size_t given,
+                                    const Reach& reach) const {
+    if (partner_[end] != NONE) return false;
+    const auto may = [&](std::size_t a, std::size_t b) {
+      return partner_[b] == NONE && is_nearly_straight(a, b, reach);
+    };
+    const auto found = beside(ends, end, reach, !layers_.empty(), may);
+    if (found.size() != 1 || found.front() == given || !is_straight(end, found.front(), reach)) return false;
+    return beside(ends, found.front(), reach, !layers_.empty(), may) == std::vector<std::size_t>{end};
+  }
   [[nodiscard]] Point arm_at(std::size_t end) const {
     const auto& pieces = curves_[end / 2].beziers;
     return arm(end % 2 == 0 ? pieces.front() : pieces.back().reversed());
@@ -161,19 +262,18 @@ class Joints {
 
   // Joins ends of which each is the only one that the other may be joined to, if it should. Whether there was any.
   template <class May, class Should>
-  bool join_only(double reach, bool is_of_one_layer, const May& may, const Should& should) {
+  bool join_only(const Reach& reach, bool is_of_one_layer, const May& may, const Should& should) {
     const Free_ends ends = free_ends(reach);
     std::vector<std::size_t> only(partner_.size(), NONE);
     for_each_free([&](std::size_t end) {
-      const auto found = beside(ends, end, is_of_one_layer, may);
+      const auto found = beside(ends, end, reach, is_of_one_layer, may);
       if (found.size() == 1) only[end] = found.front();
     });
     bool is_any = false;
     for (std::size_t end = 0; end < only.size(); ++end) {
       const std::size_t other = only[end];
       if (other == NONE || end > other || only[other] != end || !should(end, other)) continue;
-      partner_[end] = other;
-      partner_[other] = end;
+      join(end, other);
       is_any = true;
     }
     return is_any;
@@ -182,8 +282,8 @@ class Joints {
     for (std::size_t end = 0; end < partner_.size(); ++end)
       if (partner_[end] == NONE && !curves_[end / 2].is_closed) action(end);
   }
-  [[nodiscard]] Free_ends free_ends(double reach) const {
-    Free_ends ends(reach, least_cell());
+  [[nodiscard]] Free_ends free_ends(const Reach& reach) const {
+    Free_ends ends(reach.widest(), least_cell());
     for_each_free([&](std::size_t end) { ends.add(end, place(end)); });
     return ends;
   }
@@ -194,9 +294,10 @@ class Joints {
   }
   // A curve no larger than its gap would become a point, and is not closed.
   template <class May>
-  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, bool is_of_one_layer,
-                                                const May& may) const {
+  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, const Reach& reach,
+                                                bool is_of_one_layer, const May& may) const {
     return ends.beside(end, place(end), [&](std::size_t other) {
+      if (!(distance(place(end), place(other)) <= reach.between(end, other))) return false;
       if (other == other_end(end))
         return !is_within(curves_[end / 2].beziers, place(end), distance(place(end), place(other)));
       return (!is_of_one_layer || layers_[other / 2] == layers_[end / 2]) && may(end, other);
@@ -233,20 +334,11 @@ Parts parts_through(const Joints& joints, std::size_t curve) {
   return parts;
 }
 
-std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
-
 double widest_gap(const Joints& joints, const Parts& parts) {
   double widest = 0;
   for (const Joined_part& part : parts.list)
     if (joints.partner(end_behind(part)) != NONE) widest = (std::max)(widest, joints.gap(end_behind(part)));
   return widest;
-}
-
-std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
-  if (!is_reversed) return curve.beziers;
-  std::vector<Piece> pieces;
-  for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece) pieces.push_back(piece->reversed());
-  return pieces;
 }
 
 Piece with_end(const Piece& piece, bool is_last, const Point& place) {
@@ -292,25 +384,6 @@ std::vector<Piece> joined_pieces(const std::vector<Curve>& curves, const Parts& 
   return pieces;
 }
 
-// Whether nothing is left to be a curve: a loop within its moves, or two curves one upon the other.
-bool is_empty_loop(const std::vector<Curve>& curves, const Parts& parts, double moved) {
-  if (!parts.is_loop) return false;
-  std::vector<Piece> pieces;
-  for (const Joined_part& part : parts.list) {
-    const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
-    pieces.insert(pieces.end(), more.begin(), more.end());
-  }
-  if (is_within(pieces, pieces.front().control_points().front(), moved)) return true;
-  if (parts.list.size() != 2) return false;
-  const std::vector<Piece> one = pieces_of(curves[parts.list[0].curve], false),
-                           two = pieces_of(curves[parts.list[1].curve], !parts.list[1].is_reversed);
-  return std::equal(one.begin(), one.end(), two.begin(), two.end(), [&](const Piece& a, const Piece& b) {
-    const auto &p = a.control_points(), &q = b.control_points();
-    return a.weights() == b.weights() && std::equal(p.begin(), p.end(), q.begin(), q.end(),
-                                                    [&](auto& s, auto& t) { return distance(s, t) <= moved; });
-  });
-}
-
 void add_as_it_is(Drawing_2<double>& drawing, const Curve& curve) {
   if (curve.b_spline != nullptr) drawing.add(*curve.b_spline, curve.name);
   else drawing.add(curve.beziers, curve.name, curve.parameters);
@@ -320,16 +393,29 @@ void add_as_it_is(Drawing_2<double>& drawing, const Curve& curve) {
 
 double rounding_of_ends(double largest_coordinate) { return std::ldexp(largest_coordinate, -40); }
 
-Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const std::vector<std::size_t>& layers) {
+Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const std::vector<std::size_t>& layers,
+                          const std::vector<double>& errors) {
   const std::vector<Curve>& curves = drawing.curves();
   if (!(eps >= 0) || !std::isfinite(eps))
     throw std::invalid_argument(expected("eps", "a number from 0", text_of(eps, "another one")));
   if (!layers.empty() && layers.size() != curves.size())
     throw std::invalid_argument(expected("layers", text_of(curves.size()) + ", one a curve, or none", layers.size()));
+  if (!errors.empty() && errors.size() != curves.size())
+    throw std::invalid_argument(expected("errors", text_of(curves.size()) + ", one a curve, or none", errors.size()));
+  std::vector<Reach> reaches{{0}, {(std::min)(rounding_of_ends(coordinate_size(drawing)), eps)}, {eps}};
+  for (const double error : errors) {
+    if (!(error >= 0) || !std::isfinite(error))
+      throw std::invalid_argument(expected("errors", "numbers from 0", text_of(error, "another one")));
+    if (error > 0 && reaches.back().of_curves == nullptr) reaches.push_back({eps, &errors});
+  }
   Joints joints(drawing, layers);
   for (const bool is_of_one_layer : {true, false}) {
     if (is_of_one_layer && layers.empty()) continue;
-    for (const double reach : {0.0, (std::min)(rounding_of_ends(coordinate_size(drawing)), eps), eps}) {
+    const bool has_order = is_of_one_layer || layers.empty();  // that of several layers tells nothing
+    // Ends of arcs that touch lines are off by rounding: what is the same there are ends of other outlines' lines.
+    if (has_order) joints.join_loops_within(reaches[1]);
+    for (const Reach& reach : reaches) {
+      if (has_order) joints.join_loops_within(reach);
       do {
         joints.join_within(reach, is_of_one_layer);
         joints.close_within(reach);
@@ -342,7 +428,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     if (is_done[i]) continue;
     Parts parts = parts_through(joints, i);
     const double widest = widest_gap(joints, parts);
-    if (is_empty_loop(curves, parts, widest)) {
+    if (parts.is_loop && is_empty_loop(curves, parts.list, widest)) {
       for (const Joined_part& part : parts.list)
         if (joints.gap(end_behind(part)) == widest) joints.part(end_behind(part));
       parts = parts_through(joints, i);
@@ -357,7 +443,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     result.moved = (std::max)(result.moved, moved);
     result.parts.push_back(std::move(parts.list));
   }
-  result.crowded = joints.crowded(eps);
+  result.crowded = joints.crowded(reaches.back());
   return result;
 }
 

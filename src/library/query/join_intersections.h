@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -65,6 +66,17 @@ class Curve_joints {
     const std::uint32_t first = curves_->number_of_bezier(curve, 0);
     if (bezier - first + 1 < of_curve.beziers.size()) return {bezier + 1, {0, 0}};
     return of_curve.is_closed ? Joint_place{first, {0, 0}} : Joint_place{bezier, t};
+  }
+  [[nodiscard]] bool is_point(std::uint32_t bezier) const { return curves_->is_point(bezier); }
+  /// Returns a place as the start of the next piece, where its own piece is a point.
+  [[nodiscard]] Joint_place past_points(const Joint_place& p) const {
+    Joint_place past = p;
+    while (is_point(past.bezier)) {
+      const Joint_place next = place(past.bezier, {1, 1});
+      if (next.bezier == past.bezier || next.bezier == p.bezier) break;  // nothing follows, or all are points
+      past = next;
+    }
+    return past;
   }
   [[nodiscard]] Curve_range curve_range(std::uint32_t bezier, const Bracket& t) const {
     const std::size_t curve = curves_->curve_of_bezier(bezier);
@@ -181,14 +193,20 @@ class Joined_overlaps {
   std::multimap<std::uint32_t, std::size_t> starts_;  // by Bezier piece
 };
 
-/// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
+/// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order. Pieces that
+///   are points do not count: what they have in common with others, the pieces beside them have, too
 [[nodiscard]] inline Intersections_2<> joined(const Numbered_intersections& found, const Curve_joints& a,
                                               const Curve_joints& b, bool is_self) {
   struct Point {
     Joint_place a, b;
     Intersection_kind kind;
   };
-  const Joined_overlaps overlaps(found.overlaps, a, b);
+  const auto is_of_point = [&](const auto& common) {
+    return is_self && (a.is_point(common.beziers.first) || b.is_point(common.beziers.second));
+  };
+  std::vector<Numbered_overlap> parts;
+  std::remove_copy_if(found.overlaps.begin(), found.overlaps.end(), std::back_inserter(parts), is_of_point);
+  const Joined_overlaps overlaps(parts, a, b);
   // ends of pieces that ranges of undecided points reach: a common end there may belong to a part that is shared
   std::set<std::pair<Joint_place, Joint_place>> undecided;
   for (const Numbered_point& p : found.points) {
@@ -200,12 +218,17 @@ class Joined_overlaps {
   const auto is_undecided = [&](const Joint_place& p, const Joint_place& q) { return undecided.count({p, q}) != 0; };
   std::vector<Point> points;
   for (const Numbered_point& p : found.points) {
+    if (is_of_point(p)) continue;
     Point q{a.place(p.beziers.first, p.common.a), b.place(p.beziers.second, p.common.b), p.common.kind};
     if (q.kind != Intersection_kind::UNDECIDED && (is_undecided(q.a, q.b) || (is_self && is_undecided(q.b, q.a))))
       continue;
     if (is_self && q.b < q.a) std::swap(q.a, q.b);
-    if (is_self && q.a.is_start() && q.b.is_start() && q.a.bezier == q.b.bezier) continue;
     if (q.kind != Intersection_kind::UNDECIDED && overlaps.has_end(q.a, q.b)) continue;  // more may be left open there
+    if (is_self) {
+      q.a = a.past_points(q.a), q.b = b.past_points(q.b);
+      if (q.b < q.a) std::swap(q.a, q.b);
+      if (q.a.is_start() && q.b.is_start() && q.a.bezier == q.b.bezier) continue;
+    }
     points.push_back(q);
   }
   std::sort(points.begin(), points.end(),

@@ -7,6 +7,7 @@
 #include "write_dxf.h"
 
 #include "../../input/Dxf_groups.h"
+#include "../../input/Dxf_text.h"
 #include "../../input/Dxf_units.h"
 #include "../../input/Input_text.h"
 #include "../Commands.h"
@@ -19,6 +20,7 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -28,27 +30,39 @@ namespace {
 class Stream_writer : public DL_WriterA {
  public:
   explicit Stream_writer(std::ostream& out) : DL_WriterA("/dev/null"), out_(out) {}
-  void dxfReal(int code, double value) const override { dxfString(code, number(value)); }
-  void dxfInt(int code, int value) const override { dxfString(code, std::to_string(value)); }
+  void dxfReal(int code, double value) const override { write(code, number(value)); }
+  void dxfInt(int code, int value) const override { write(code, std::to_string(value)); }
   void dxfHex(int code, int value) const override {
     char text[20];
     std::snprintf(text, sizeof text, "%X", static_cast<unsigned>(value));
-    dxfString(code, text);
+    write(code, text);
   }
-  void dxfString(int code, const char* value) const override { out_ << code << '\n' << value << '\n'; }
-  void dxfString(int code, const std::string& value) const override { dxfString(code, value.c_str()); }
+  void dxfString(int code, const char* value) const override { write(code, value); }
+  void dxfString(int code, const std::string& value) const override { write(code, dxf_as_ascii(value)); }
 
  private:
+  void write(int code, std::string_view value) const { out_ << code << '\n' << value << '\n'; }
+
   std::ostream& out_;
 };
 
+bool is_within_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }  // of UTF-8
+
 std::string layer_name(const std::string& text) {
   constexpr std::size_t LONGEST = 255;
-  const std::string forbidden = "<>/\\\":;?*|=`,";
-  std::string name;
-  for (const char c : text.substr(0, LONGEST))
-    name += c > ' ' && c < 0x7f && forbidden.find(c) == std::string::npos ? c : '_';
-  return name.empty() ? "0" : name;
+  constexpr std::string_view FORBIDDEN = "<>/\\\":;?*|=`,";
+  std::string name = valid_utf8(text);
+  if (name.size() > LONGEST) {
+    std::size_t size = LONGEST;
+    while (is_within_character(name[size])) --size;
+    name.resize(size);
+  }
+  for (char& c : name)
+    if ((c >= 0 && c < ' ') || c == 0x7f || FORBIDDEN.find(c) != FORBIDDEN.npos) c = '_';
+  if (name.empty()) return "0";
+  for (char* c : {&name.front(), &name.back()})
+    if (*c == ' ') *c = '_';  // readers take blanks there for nothing
+  return name;
 }
 
 std::string layer_of(const Written_curve& curve) {

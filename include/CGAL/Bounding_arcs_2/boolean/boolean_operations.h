@@ -91,7 +91,8 @@ struct Outline_2 {
 /// How an outline becomes a drawing.
 struct Outline_drawing_options {
   /// Leaves out parts that doubles do not tell from a point, and chains of which nothing else is there. Such a part has
-  /// no direction for whoever reads the drawing, and another operation would cut it again.
+  /// no direction for whoever reads the drawing, and another operation would cut it again. Leaves out chains, too, that
+  /// bound nothing when they are rounded, as they run along a line and back.
   bool drops_tiny_parts = true;
 };
 

@@ -85,6 +85,8 @@ struct Curve_record {
   bool y_is_down = false;                       ///< y grows downwards, as in SVG files; to be known for pictures only
   std::vector<Bezier_curve_2<double>> beziers;  ///< of a path: neighbours share their end bit for bit
   Filling filling = NO_INSIDE;                  ///< see close_filled
+  double end_error = 0;  ///< by how much farther than Curve_file::rounding tells its ends may be off, each of them: by
+                         ///< the digits of the angles of a DXF file's arc
 };
 
 /// Several things of one kind that a file has and the reader left out, or took otherwise than they stand there.
@@ -171,7 +173,7 @@ struct Curve_file {
 std::size_t close_filled(std::vector<Curve_record>& records);
 
 /// Joins open curves by join_curves: where exactly two ends meet, those of one layer first. A record that others are
-/// joined to becomes a path.
+/// joined to becomes a path. Ends may be as much farther apart as the records' own errors tell.
 /// \code
 /// Curve_file file = read_curve_file("part.dxf");
 /// const Joined_curves joined = join_records(file.curves, file.rounding);

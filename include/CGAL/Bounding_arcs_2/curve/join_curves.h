@@ -6,7 +6,7 @@
 //
 //   line1 ------. .-- arc2         ends at most eps apart, and no third one beside them: one place
 //               ' '                where more than two meet: those two that go on straight
-//                |
+//                |                   but first of all a loop whose curves follow each other
 
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_JOIN_CURVES_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_JOIN_CURVES_H
@@ -41,11 +41,15 @@ struct Joined_curves {
 
 /// Joins open curves to chains and loops where exactly two ends meet, or two of several go on straight.
 ///
+/// Loops go first whose curves follow each other in the drawing, on one layer, each from the end of the one before it,
+/// in either direction, unless one of these goes on straight in another curve: outlines that touch are told apart so.
+///
 /// Two ends meet if they are at most eps apart. They are joined if no third end meets one of them. Ends that are the
-/// same go first, then those that rounding parts (2^-40 of the largest coordinate), then those within eps. What was
-/// joined counts no more. A chain whose own two ends meet is closed, whatever else ends there. Where more than two are
-/// left then, two are joined that go on straight: within 0.9 degrees, by however much ends were moved, and no third one
-/// within 3.6 degrees. Where layers are told, all this is done first with ends of one layer.
+/// same go first, then those that rounding parts (2^-40 of the largest coordinate), then those within eps, then those
+/// whose own errors reach farther. What was joined counts no more. A chain whose own two ends meet is closed, whatever
+/// else ends there. Where more than two are left then, two are joined that go on straight: within 0.9 degrees, by
+/// however much ends were moved, and no third one within 3.6 degrees. Where layers are told, all this is done first
+/// with ends of one layer.
 ///
 /// * A joined curve has the name and the direction of the first of its parts; a loop begins with it. Other parts are
 ///   reversed where they have to be.
@@ -63,13 +67,16 @@ struct Joined_curves {
 /// \endcode
 /// \param eps at least 0, in units of the coordinates; with 0 only ends that are the same are joined
 /// \param layers a number a curve, or none
+/// \param errors by how much farther than others the ends of each curve may be off, at least 0; or none
 /// \guarantee pieces share their ends bit for bit. A point of a curve moves by no more than an end of its piece: at
-///   most eps, apart from rounding. No other control point moves, and no weight. The result is the same for curves in
-///   another order, but for its order, directions and which end is moved
+///   most eps and its errors, apart from rounding. No other control point moves, and no weight. The result is the same
+///   for curves in another order, but for loops that the order tells, its order, directions and which end is moved
 /// \complexity n log n for n curves, unless many ends are within eps of each other
-/// \throws std::invalid_argument for an eps that is no number or below 0, and for a wrong number of layers
+/// \throws std::invalid_argument for an eps or error that is no number or below 0, and for a wrong number of layers or
+///   errors
 [[nodiscard]] Joined_curves join_curves(const Drawing_2<double>& drawing, double eps,
-                                        const std::vector<std::size_t>& layers = {});
+                                        const std::vector<std::size_t>& layers = {},
+                                        const std::vector<double>& errors = {});
 
 /// Returns how far ends of curves may be apart that are the same but for rounding to double: 2^-40 of the largest
 /// coordinate. Ends of arcs come from centers, angles and transforms, each rounded. Ten times less leaves some of them

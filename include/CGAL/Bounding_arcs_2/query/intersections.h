@@ -26,7 +26,7 @@ template <class Kernel = Default_kernel>
   return internal::intersections(a, b);
 }
 /// Returns all points that the curves of a tree pass more than once: of two curves, or of one with itself. That
-/// neighbours share their joint does not count.
+/// neighbours share their joint does not count, nor does a piece that is a point.
 /// \guarantee as intersections; of each point the place that comes first is `a`
 template <class Kernel = Default_kernel>
 [[nodiscard]] Intersections_2<typename Kernel::Point_2> self_intersections(const Bounding_arc_tree_2& a) {
