@@ -27,7 +27,7 @@
 namespace bounding_arcs_tool {
 namespace {
 
-using CGAL::Bounding_arcs::Curve_colour;
+using CGAL::Bounding_arcs::Curve_record;
 
 // Keeps what insertions make of a small file within a megabyte of stack and some hundred megabytes.
 constexpr std::size_t MAXIMUM_BLOCK_NESTING = 64, MAXIMUM_ENTITIES = 1000000;
@@ -43,7 +43,7 @@ class Dxf_notes {
     ++notes[place->second].count;
   }
 
-  std::vector<Reading_note> notes;
+  std::vector<Curve_file::Note> notes;
 
  private:
   std::set<const Dxf_entity*> entities_;
@@ -86,14 +86,14 @@ class Known_curves {
 // Makes records of entities, those of inserted blocks where they come to stand.
 class Dxf_expansion {
  public:
-  Dxf_expansion(const Dxf_contents& contents, const Reading_options& options, std::string file)
+  Dxf_expansion(const Dxf_contents& contents, const Curve_file::Options& options, std::string file)
       : contents_(contents), options_(options), file_(std::move(file)) {}
 
   // What is drawn takes of what is around it: nothing, or the insertion of a block.
   struct Around {
     Svg_transform transform;
     std::string layer;
-    Curve_colour colour;
+    Curve_record::Colour colour;
   };
 
   void visit(const Dxf_block& block, const Around& around) {
@@ -150,12 +150,13 @@ class Dxf_expansion {
   }
 
   // What is by block outside of one is as a CAD program shows what has no colour.
-  [[nodiscard]] Curve_colour seen_colour(const Dxf_colour& colour, const std::string& layer,
-                                         const Curve_colour& of_block) const {
+  [[nodiscard]] Curve_record::Colour seen_colour(const Dxf_colour& colour, const std::string& layer,
+                                                 const Curve_record::Colour& of_block) const {
     constexpr int BLACK_OR_WHITE = 7;
     if (colour.rgb >= 0 || (colour.number != Dxf_colour::BY_LAYER && colour.number != Dxf_colour::BY_BLOCK))
       return {colour.number % Dxf_colour::BY_LAYER, colour.rgb};
-    if (colour.number == Dxf_colour::BY_BLOCK) return inserted_.empty() ? Curve_colour{BLACK_OR_WHITE, -1} : of_block;
+    if (colour.number == Dxf_colour::BY_BLOCK)
+      return inserted_.empty() ? Curve_record::Colour{BLACK_OR_WHITE, -1} : of_block;
     const auto found = contents_.layers.find(dxf_key(layer));
     if (found == contents_.layers.end()) return {BLACK_OR_WHITE, -1};
     const Dxf_colour& of_layer = found->second.colour;
@@ -269,7 +270,7 @@ class Dxf_expansion {
   }
 
   const Dxf_contents& contents_;
-  const Reading_options& options_;
+  const Curve_file::Options& options_;
   std::string file_;
   Dxf_notes notes_;
   std::vector<const Dxf_block*> inserted_;  // the blocks that are open, the outermost first
@@ -283,7 +284,7 @@ class Dxf_expansion {
 
 }  // namespace
 
-Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Reading_options& options) {
+Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Curve_file::Options& options) {
   const Dxf_contents contents = dxf_contents(text, file);
   Dxf_expansion expansion(contents, options, file);
   expansion.visit(contents.drawing, {});

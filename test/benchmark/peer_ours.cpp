@@ -39,7 +39,7 @@ double axis_radius(const Chain& chain) {
   ba::Drawing_2<double> drawing;
   drawing.add(chain);
   const ba::Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(std::move(drawing)), 1e-6);
-  if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
+  if (axis.status != ba::Medial_axis_2::Status::COMPLETE) return NO_ANSWER;
   double largest = 0;
   for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);
   for (const auto& e : axis.edges)

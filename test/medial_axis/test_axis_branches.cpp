@@ -72,7 +72,7 @@ TEST(AxisBranches, OfADiscAndARingAreAPlaceAndAWayRound) {
 
 // All lines between samples of the axis, the same as those of branches, where radii are no larger.
 using Line = std::pair<std::pair<double, double>, std::pair<double, double>>;
-Line line_of(const ba::Medial_sample& s, const ba::Medial_sample& t) {
+Line line_of(const ba::Medial_axis_2::Sample& s, const ba::Medial_axis_2::Sample& t) {
   const std::pair<double, double> a{s.center.x, s.center.y}, b{t.center.x, t.center.y};
   return a < b ? Line{a, b} : Line{b, a};
 }
@@ -84,13 +84,13 @@ TEST(AxisBranches, HaveEachLineOfTheAxisOnce) {
     const Medial_axis_2 axis = axis_of(drawing, 1e-3);
     ASSERT_EQ(axis.status, Status::COMPLETE);
     double most = 0;
-    for (const ba::Medial_vertex& v : axis.vertices) most = (std::max)(most, v.radius);
+    for (const ba::Medial_axis_2::Vertex& v : axis.vertices) most = (std::max)(most, v.radius);
     const double largest = i % 2 == 0 ? std::numeric_limits<double>::infinity() : share(random) * most;
     std::multiset<Line> wanted, found;
     std::size_t ends = 0;  // lines that are cut
-    for (const ba::Medial_edge& e : axis.edges)
+    for (const ba::Medial_axis_2::Edge& e : axis.edges)
       for (std::size_t k = 1; k < e.samples.size(); ++k) {
-        const ba::Medial_sample &s = e.samples[k - 1], &t = e.samples[k];
+        const ba::Medial_axis_2::Sample &s = e.samples[k - 1], &t = e.samples[k];
         if ((std::max)(s.radius, t.radius) <= largest) wanted.insert(line_of(s, t));
         else ends += (std::min)(s.radius, t.radius) <= largest ? 1 : 0;
       }
@@ -101,7 +101,7 @@ TEST(AxisBranches, HaveEachLineOfTheAxisOnce) {
       part = b.part;
       double length = 0;
       for (std::size_t k = 1; k < b.samples.size(); ++k) {
-        const ba::Medial_sample &s = b.samples[k - 1], &t = b.samples[k];
+        const ba::Medial_axis_2::Sample &s = b.samples[k - 1], &t = b.samples[k];
         EXPECT_LE((std::max)(s.radius, t.radius), largest);
         length += std::hypot(t.center.x - s.center.x, t.center.y - s.center.y);
         const bool is_cut = (s.radius == largest || t.radius == largest) && wanted.count(line_of(s, t)) == 0;
@@ -157,7 +157,7 @@ TEST(AxisBranches, ComeLongestFirst) {
   for (const ba::Axis_branch& b : found) {
     const Point from = b.samples.front().center;
     EXPECT_TRUE(cut.empty() || cut.count({from.x, from.y}) == 1);
-    for (const ba::Medial_sample& s : b.samples) cut.insert({s.center.x, s.center.y});
+    for (const ba::Medial_axis_2::Sample& s : b.samples) cut.insert({s.center.x, s.center.y});
   }
 }
 

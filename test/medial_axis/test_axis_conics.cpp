@@ -198,7 +198,7 @@ Drawing wavy_band(std::mt19937& random) {
   band.emplace_back(std::vector<Point>{{0, width}, {0, 0}});
   return drawing_of(band);
 }
-double distance_from(const std::vector<ba::Medial_sample>& samples, std::size_t first, std::size_t last,
+double distance_from(const std::vector<ba::Medial_axis_2::Sample>& samples, std::size_t first, std::size_t last,
                      const Point& q) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = first; i < last; ++i) {

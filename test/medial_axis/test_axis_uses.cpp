@@ -81,7 +81,7 @@ TEST(Necks, AreAllMinimaThatStandOut) {
     std::map<Disc, double> radius;
     std::map<Disc, std::vector<Disc>> beside;
     for (std::size_t e = 0; e < axis.edges.size(); ++e) {
-      const ba::Medial_edge& edge = axis.edges[e];
+      const ba::Medial_axis_2::Edge& edge = axis.edges[e];
       const auto disc = [&](std::size_t i) {
         if (i == 0) return Disc(axis.edges.size(), edge.from);
         return i + 1 == edge.samples.size() ? Disc(axis.edges.size(), edge.to) : Disc(e, i);
@@ -293,7 +293,7 @@ Drawing open(Bezier curve) {
   drawing.add({std::move(curve)});
   return drawing;
 }
-std::size_t number_of_samples(const std::vector<std::vector<ba::Bisector_sample>>& chains) {
+std::size_t number_of_samples(const std::vector<std::vector<ba::Bisector_2::Sample>>& chains) {
   std::size_t count = 0;
   for (const auto& chain : chains) count += chain.size();
   return count;

@@ -126,7 +126,7 @@ TEST(ThinStretches, OfARingGoAround) {
   EXPECT_NEAR(found[0].thickness(), 2, 1e-12);
   EXPECT_EQ(stretches_of(ring, 2.1).size(), 4u);  // its sides
   for (const ba::Thin_stretch& s : stretches_of(ring, 2.1))
-    for (const ba::Medial_sample& at : s.samples) EXPECT_NE(at.left.curve, at.right.curve);
+    for (const ba::Medial_axis_2::Sample& at : s.samples) EXPECT_NE(at.left.curve, at.right.curve);
 }
 
 // Where three bars of one shape meet there are three stretches.
@@ -174,7 +174,7 @@ TEST(ThinStretches, AreWhatIsBelowTheLimitOfAllStretches) {
       for (const ba::Thin_stretch& s : ba::thin_stretches(axis, 2 * share * most)) {
         ++seen;
         found += s.length;
-        for (const ba::Medial_sample& at : s.samples) {
+        for (const ba::Medial_axis_2::Sample& at : s.samples) {
           EXPECT_LE(at.radius, share * most * (1 + 1e-12));
           EXPECT_GE(at.radius, s.disc().radius);
         }
@@ -195,7 +195,7 @@ TEST(ThinStretches, AreWhatIsBelowTheLimitOfAllStretches) {
 TEST(ThinStretches, OfARoomInAFrameAreGaps) {
   Drawing lines;
   lines.add(Bezier({{0, 0}, {4, 0}})), lines.add(Bezier({{0, 0.3}, {4, 0.3}}));
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   const Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(ba::framed(lines, 2)), 1e-6, options);
   const auto found = ba::thin_stretches(axis, 0.5);

@@ -41,7 +41,7 @@ using ba::intersections;
 void add(Answers& to, const ba::Closest_point<>& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
 void add(Answers& to, const ba::Drawing_distance<>& d) {
   to.lengths(d.distance);
-  for (const ba::Drawing_point<>* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
+  for (const ba::Drawing_distance<>::End* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
 }
 void add(Answers& to, const ba::Bracket& t) { to.number(t.lower), to.number(t.upper); }
 void add(Answers& to, const ba::Intersections_2<>& found) {

@@ -25,7 +25,7 @@ namespace bounding_arcs_test {
 /// A drawing and which axis of it.
 struct Axis_case {
   Drawing drawing;
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
 };
 
 /// A whole number, or a random one of the same range.

@@ -211,12 +211,12 @@ class Joints {
 
 // The parts of a chain or loop through a curve, which is not reversed and is the first one of a loop.
 struct Parts {
-  std::vector<Joined_part> list;
+  std::vector<Joined_curves::Part> list;
   bool is_loop = false;
 };
 Parts parts_through(const Joints& joints, std::size_t curve) {
   Parts parts;
-  std::vector<Joined_part> before;
+  std::vector<Joined_curves::Part> before;
   std::size_t end = 2 * curve + 1;
   parts.list.push_back({curve, false});
   for (; joints.partner(end) != NONE; end = other_end(joints.partner(end))) {
@@ -233,11 +233,11 @@ Parts parts_through(const Joints& joints, std::size_t curve) {
   return parts;
 }
 
-std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
+std::size_t end_behind(const Joined_curves::Part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
 
 double widest_gap(const Joints& joints, const Parts& parts) {
   double widest = 0;
-  for (const Joined_part& part : parts.list)
+  for (const Joined_curves::Part& part : parts.list)
     if (joints.partner(end_behind(part)) != NONE) widest = (std::max)(widest, joints.gap(end_behind(part)));
   return widest;
 }
@@ -273,7 +273,7 @@ bool is_point(const Piece& piece) {
 std::vector<Piece> joined_pieces(const std::vector<Curve>& curves, const Parts& parts) {
   std::vector<Piece> pieces;
   std::vector<std::size_t> first;  // of each part, its number among the pieces
-  for (const Joined_part& part : parts.list) {
+  for (const Joined_curves::Part& part : parts.list) {
     first.push_back(pieces.size());
     const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
     pieces.insert(pieces.end(), more.begin(), more.end());
@@ -296,7 +296,7 @@ std::vector<Piece> joined_pieces(const std::vector<Curve>& curves, const Parts& 
 bool is_empty_loop(const std::vector<Curve>& curves, const Parts& parts, double moved) {
   if (!parts.is_loop) return false;
   std::vector<Piece> pieces;
-  for (const Joined_part& part : parts.list) {
+  for (const Joined_curves::Part& part : parts.list) {
     const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
     pieces.insert(pieces.end(), more.begin(), more.end());
   }
@@ -343,7 +343,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     Parts parts = parts_through(joints, i);
     const double widest = widest_gap(joints, parts);
     if (is_empty_loop(curves, parts, widest)) {
-      for (const Joined_part& part : parts.list)
+      for (const Joined_curves::Part& part : parts.list)
         if (joints.gap(end_behind(part)) == widest) joints.part(end_behind(part));
       parts = parts_through(joints, i);
     }
@@ -352,7 +352,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     if (count == 0) add_as_it_is(result.drawing, curves[i]);
     else result.drawing.add(joined_pieces(curves, parts), curves[i].name);
     if (count > 0) result.joined.push_back(result.parts.size());
-    for (const Joined_part& part : parts.list) is_done[part.curve] = true;
+    for (const Joined_curves::Part& part : parts.list) is_done[part.curve] = true;
     result.joints += count;
     result.moved = (std::max)(result.moved, moved);
     result.parts.push_back(std::move(parts.list));

@@ -26,7 +26,7 @@ class Branch_search {
   /// \param axis without what is not taken
   explicit Branch_search(Medial_axis_2 axis)
       : axis_(std::move(axis)), is_in_forest_(axis_.edges.size()), at_(axis_.vertices.size()) {
-    for (const Medial_edge& e : axis_.edges) lengths_.push_back(internal::length_of(e.samples));
+    for (const Medial_axis_2::Edge& e : axis_.edges) lengths_.push_back(internal::length_of(e.samples));
   }
 
   [[nodiscard]] std::vector<Axis_branch> branches() {
@@ -74,7 +74,7 @@ class Branch_search {
                      [&](std::size_t a, std::size_t b) { return lengths_[a] > lengths_[b]; });
     boost::disjoint_sets_with_storage<> trees(at_.size());
     for (const std::size_t i : order) {
-      const Medial_edge& e = axis_.edges[i];
+      const Medial_axis_2::Edge& e = axis_.edges[i];
       const std::size_t a = trees.find_set(e.from), b = trees.find_set(e.to);
       is_in_forest_[i] = a != b;
       if (a != b) trees.link(a, b);
@@ -88,7 +88,7 @@ class Branch_search {
     for (std::size_t i = 0; i < result.size(); ++i) {
       const Visit from = result[i];
       for (const std::size_t k : at_[from.node]) {
-        const Medial_edge& e = axis_.edges[k];
+        const Medial_axis_2::Edge& e = axis_.edges[k];
         if (!is_in_forest_[k] || k == from.edge) continue;
         result.push_back({e.from == from.node ? e.to : e.from, k, i, from.distance + lengths_[k]});
       }
@@ -123,12 +123,12 @@ class Branch_search {
     }
     for (const Visit& visit : tree)
       for (const std::size_t k : at_[visit.node]) {
-        const Medial_edge& e = axis_.edges[k];
+        const Medial_axis_2::Edge& e = axis_.edges[k];
         if (!is_in_forest_[k] && e.from == visit.node) ways.push_back({e.samples, lengths_[k], 0});
       }
   }
   void follow(Axis_branch& way, const Visit& visit, std::size_t from) const {
-    std::vector<Medial_sample> samples = axis_.edges[visit.edge].samples;
+    std::vector<Medial_axis_2::Sample> samples = axis_.edges[visit.edge].samples;
     if (axis_.edges[visit.edge].from != from) internal::reverse(samples);
     way.samples.insert(way.samples.end(), samples.begin() + (way.samples.empty() ? 0 : 1), samples.end());
     way.length += lengths_[visit.edge];

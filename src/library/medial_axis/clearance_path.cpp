@@ -101,15 +101,15 @@ class Axis_roads {
 
   // Makes a vertex of a place, which ends one edge and starts another.
   void cut(const Axis_place& p, std::size_t vertex) {
-    Medial_edge& edge = axis_.edges[p.edge];
-    const Medial_sample &a = edge.samples[p.first], &b = edge.samples[p.first + 1];
-    Medial_sample s = a;
+    Medial_axis_2::Edge& edge = axis_.edges[p.edge];
+    const Medial_axis_2::Sample &a = edge.samples[p.first], &b = edge.samples[p.first + 1];
+    Medial_axis_2::Sample s = a;
     s.center = a.center + p.share * (b.center - a.center);
     s.radius = a.radius + p.share * (b.radius - a.radius);
     axis_.vertices[vertex].center = s.center;
     axis_.vertices[vertex].radius = s.radius;
     const auto behind = edge.samples.begin() + static_cast<std::ptrdiff_t>(p.first + 1);
-    Medial_edge rest{vertex, edge.to, {s}};
+    Medial_axis_2::Edge rest{vertex, edge.to, {s}};
     rest.samples.insert(rest.samples.end(), behind, edge.samples.end());
     edge.samples.erase(behind, edge.samples.end());
     edge.samples.push_back(s);
@@ -142,14 +142,14 @@ class Axis_roads {
     std::vector<Road> by(axis_.vertices.size());
     const auto notes_roads = boost::record_edge_predecessors(by.data(), boost::on_edge_relaxed());
     boost::dijkstra_shortest_paths(wide, start_,
-                                   boost::weight_map(boost::get(&Medial_graph_edge::length, wide))
+                                   boost::weight_map(boost::get(&Medial_graph::edge_bundled::length, wide))
                                        .visitor(boost::make_dijkstra_visitor(notes_roads)));
     std::vector<Clearance_path::Station> stations;  // backwards
     for (std::size_t v = stop_; v != start_;) {
-      const Medial_edge& edge = axis_.edges[graph_[by[v]].index];
+      const Medial_axis_2::Edge& edge = axis_.edges[graph_[by[v]].index];
       const bool is_forward = edge.to == v;
       for (std::size_t k = 0; k < edge.samples.size(); ++k) {
-        const Medial_sample& s = edge.samples[is_forward ? edge.samples.size() - 1 - k : k];
+        const Medial_axis_2::Sample& s = edge.samples[is_forward ? edge.samples.size() - 1 - k : k];
         stations.push_back({s.center, s.radius});
       }
       v = is_forward ? edge.from : edge.to;

@@ -27,9 +27,9 @@ namespace {
 /// An axis without what runs into corners: steps from ends along which radii rise by that share of the way or more.
 [[nodiscard]] Medial_axis_2 without_corners(Medial_axis_2 axis, double rise, double room) {
   internal::Axis_editor editor(std::move(axis));
-  editor.shorten([&](const Medial_edge& e, bool) {
+  editor.shorten([&](const Medial_axis_2::Edge& e, bool) {
     const auto& samples = e.samples;
-    const auto rises = [&](const Medial_sample& s, const Medial_sample& t) {
+    const auto rises = [&](const Medial_axis_2::Sample& s, const Medial_axis_2::Sample& t) {
       return t.radius - s.radius + room >= rise * euclidean_norm(t.center - s.center);
     };
     std::size_t first = 0;
@@ -47,8 +47,10 @@ namespace {
   const std::vector<std::size_t> degree = degrees(ways);
   for (std::size_t v = 0; v < degree.size(); ++v)
     if (degree[v] == 0) result.push_back({{internal::disc_of(ways.vertices[v])}, 0, 0});
-  const auto is_smaller = [](const Medial_sample& s, const Medial_sample& t) { return s.radius < t.radius; };
-  for (Medial_edge& e : ways.edges) {
+  const auto is_smaller = [](const Medial_axis_2::Sample& s, const Medial_axis_2::Sample& t) {
+    return s.radius < t.radius;
+  };
+  for (Medial_axis_2::Edge& e : ways.edges) {
     const auto least = std::min_element(e.samples.begin(), e.samples.end(), is_smaller) - e.samples.begin();
     const double length = internal::length_of(e.samples);
     result.push_back({std::move(e.samples), static_cast<std::size_t>(least), length});
@@ -68,14 +70,14 @@ std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit
   const Unit unit = internal::unit_of(axis);
   Medial_axis_2 scaled = internal::in(unit, axis);
   double size = 0;
-  for (const Medial_vertex& v : scaled.vertices)
+  for (const Medial_axis_2::Vertex& v : scaled.vertices)
     size = (std::max)({size, std::fabs(v.center.x) + v.radius, std::fabs(v.center.y) + v.radius});
   const double room = ROOM * size, most = unit.in(limit) / 2;
   scaled = without_corners(std::move(scaled), std::sin((std::max)(corner - SAME, 0.0) / 2), room);
   std::vector<Thin_stretch> result = stretches_of(internal::with_discs_up_to(most - room, most, std::move(scaled)));
   for (Thin_stretch& stretch : result) {
     stretch.length = unit.out(stretch.length);
-    for (Medial_sample& s : stretch.samples) s.center = unit.out(s.center), s.radius = unit.out(s.radius);
+    for (Medial_axis_2::Sample& s : stretch.samples) s.center = unit.out(s.center), s.radius = unit.out(s.radius);
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Thin_stretch& a, const Thin_stretch& b) { return a.disc().radius < b.disc().radius; });
@@ -93,9 +95,9 @@ std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   };
   std::vector<Disc> discs;  // vertices, then the samples between them
   std::vector<Step> steps;
-  for (const Medial_vertex& v : axis.vertices) discs.push_back({v.radius, 0, 0, 0});
+  for (const Medial_axis_2::Vertex& v : axis.vertices) discs.push_back({v.radius, 0, 0, 0});
   for (std::size_t e = 0; e < axis.edges.size(); ++e) {
-    const Medial_edge& edge = axis.edges[e];
+    const Medial_axis_2::Edge& edge = axis.edges[e];
     for (std::size_t i = 0, before = edge.from; i < edge.samples.size(); ++i) {
       const bool is_first = i == 0, is_last = i + 1 == edge.samples.size();
       const std::size_t disc = is_first ? edge.from : (is_last ? edge.to : discs.size());

@@ -102,13 +102,13 @@ class Cell_walk {
   };
 
   [[nodiscard]] static bool is_left(std::size_t side) { return side % 2 != 0; }
-  [[nodiscard]] const Medial_edge& edge(std::size_t side) const { return axis_.edges[side / 2]; }
+  [[nodiscard]] const Medial_axis_2::Edge& edge(std::size_t side) const { return axis_.edges[side / 2]; }
   [[nodiscard]] std::size_t size(std::size_t side) const { return edge(side).samples.size(); }
   [[nodiscard]] std::size_t sample(std::size_t side, std::size_t k) const {
     return is_left(side) ? size(side) - 1 - k : k;
   }
   [[nodiscard]] const Curve_place& foot(std::size_t side, std::size_t k, bool is_own = true) const {
-    const Medial_sample& s = edge(side).samples[sample(side, k)];
+    const Medial_axis_2::Sample& s = edge(side).samples[sample(side, k)];
     return is_left(side) == is_own ? s.left : s.right;
   }
 
@@ -153,7 +153,7 @@ class Cell_walk {
   }
 
   // The cell of a curve that is a circle, which has no edge within.
-  void add_disc(const Medial_vertex& v) {
+  void add_disc(const Medial_axis_2::Vertex& v) {
     const auto is_other = [&](const Curve_place& p) { return p.curve != v.touches.front().curve; };
     if (v.touches.empty() || std::any_of(v.touches.begin(), v.touches.end(), is_other)) return;
     const Curve_place& p = v.touches.front();

@@ -273,9 +273,10 @@ template <std::size_t MOST>
   }
   if (is_open) return std::nullopt;
   if (result.points.size() > 1)
-    std::sort(result.points.begin(), result.points.end(), [](const Piece_intersection& p, const Piece_intersection& q) {
-      return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
-    });
+    std::sort(result.points.begin(), result.points.end(),
+              [](const Piece_intersections::Intersection& p, const Piece_intersections::Intersection& q) {
+                return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
+              });
   return result;
 }
 

@@ -45,7 +45,7 @@ namespace CGAL::Bounding_arcs {
   return {unit.bounds_out(p.distance), unit.out(p.point), p.place, p.status};
 }
 /// Returns a point of a drawing in its own lengths.
-[[nodiscard]] inline Drawing_point<> out(const Unit& unit, const Drawing_point<>& p) {
+[[nodiscard]] inline Drawing_distance<>::End out(const Unit& unit, const Drawing_distance<>::End& p) {
   return {unit.out(p.point), p.place};
 }
 /// Returns a distance in the drawings' own lengths.
@@ -55,7 +55,7 @@ namespace CGAL::Bounding_arcs {
 
 /// Returns common points in the drawings' own lengths.
 [[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
-  for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
+  for (Intersections_2<>::Intersection& i : found.points) i.point = unit.out(i.point);
   return found;
 }
 

@@ -28,11 +28,11 @@ Found_thickness thickness_of(const Found_axis& axis, const Query_drawing& loaded
   Found_thickness found{axis, loaded, words.below};
   const auto take = [&](const auto& disc) {
     if (!found.thickest || disc.radius > found.thickest->radius)
-      found.thickest = ba::Medial_sample{disc.center, disc.radius, {}, {}};
+      found.thickest = ba::Medial_axis_2::Sample{disc.center, disc.radius, {}, {}};
   };
-  for (const ba::Medial_vertex& v : axis.axis.vertices) take(v);
-  for (const ba::Medial_edge& e : axis.axis.edges)
-    for (const ba::Medial_sample& s : e.samples) take(s);
+  for (const ba::Medial_axis_2::Vertex& v : axis.axis.vertices) take(v);
+  for (const ba::Medial_axis_2::Edge& e : axis.axis.edges)
+    for (const ba::Medial_axis_2::Sample& s : e.samples) take(s);
   const double corner = words.corner * DEGREE;
   const auto all = ba::thin_stretches(axis.axis, std::numeric_limits<double>::infinity(), corner);
   if (!all.empty()) found.thinnest = all.front().disc();

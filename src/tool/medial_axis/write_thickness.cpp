@@ -24,7 +24,7 @@ std::size_t number_of(const Found_thickness& found, const Curve_place& of_axis) 
   return found.loaded.number_of(of_axis.curve);
 }
 
-Json json_of_disc(const Found_thickness& found, const ba::Medial_sample& disc) {
+Json json_of_disc(const Found_thickness& found, const ba::Medial_axis_2::Sample& disc) {
   Json record{{"point", json_of(disc.center)}, {"thickness", 2 * disc.radius}};
   for (const Curve_place& p : {disc.left, disc.right}) {
     record["between"].push_back(json_of(found.loaded, p));
@@ -39,7 +39,7 @@ Json json_of_stretch(const Found_thickness& found, const ba::Thin_stretch& stret
   record["to"] = json_of(stretch.samples.back().center);
   std::set<std::size_t> curves;
   record["polyline"] = Json::array();
-  for (const ba::Medial_sample& s : stretch.samples) {
+  for (const ba::Medial_axis_2::Sample& s : stretch.samples) {
     for (const Curve_place& p : {s.left, s.right}) curves.insert(number_of(found, p));
     record["polyline"].push_back({s.center.x, s.center.y, s.radius});
   }
@@ -59,12 +59,12 @@ Xy<double> point_of(const Found_thickness& found, const Curve_place& of_axis) {
 
 bool is_on(const ba::Neck& neck, const ba::Thin_stretch& stretch) {
   return std::any_of(stretch.samples.begin(), stretch.samples.end(),
-                     [&](const ba::Medial_sample& s) { return s.center == neck.disc.center; });
+                     [&](const ba::Medial_axis_2::Sample& s) { return s.center == neck.disc.center; });
 }
 
 void write_thickness_json(std::ostream& out, const Found_thickness& found) {
   const ba::Medial_axis_2& axis = found.axis.axis;
-  const bool is_complete = axis.status == ba::Medial_axis_status::COMPLETE;
+  const bool is_complete = axis.status == ba::Medial_axis_2::Status::COMPLETE;
   Json document{{"eps", axis.eps}, {"moved", axis.moved}, {"status", is_complete ? "complete" : "unresolved"}};
   if (!is_complete) document["unresolved"] = Json::array();
   for (const Xy<double>& p : axis.unresolved) document["unresolved"].push_back(json_of(p));
@@ -92,7 +92,7 @@ void write_thickness_json(std::ostream& out, const Found_thickness& found) {
 void write_thickness_csv(std::ostream& out, const Found_thickness& found) {
   Query_answer table;
   table.columns = {"x", "y", "thickness", "x1", "y1", "x2", "y2"};
-  const auto row = [&](const ba::Medial_sample& disc) {
+  const auto row = [&](const ba::Medial_axis_2::Sample& disc) {
     const Xy<double> a = point_of(found, disc.left), b = point_of(found, disc.right);
     std::vector<std::string> fields;
     for (const double x : {disc.center.x, disc.center.y, 2 * disc.radius, a.x, a.y, b.x, b.y})
@@ -118,13 +118,13 @@ void write_thickness_csv(std::ostream& out, const Found_thickness& found) {
 }
 
 Written_drawing written_thickness(const Found_thickness& found) {
-  constexpr CGAL::Bounding_arcs::Curve_colour RED{1, -1}, ORANGE{30, -1};
+  constexpr CGAL::Bounding_arcs::Curve_record::Colour RED{1, -1}, ORANGE{30, -1};
   Written_drawing drawing{!found.loaded.flips, found.loaded.unit_in_mm, found.loaded.page};
-  const auto across = [&](const ba::Medial_sample& disc) -> std::vector<Written_piece> {
+  const auto across = [&](const ba::Medial_axis_2::Sample& disc) -> std::vector<Written_piece> {
     return {Arc_2{point_of(found, disc.left), disc.center, 0}, Arc_2{disc.center, point_of(found, disc.right), 0}};
   };
   for (std::size_t k = 0; k < found.stretches.size(); ++k) {
-    const std::vector<ba::Medial_sample>& samples = found.stretches[k].samples;
+    const std::vector<ba::Medial_axis_2::Sample>& samples = found.stretches[k].samples;
     std::vector<Written_piece> pieces;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
       pieces.emplace_back(Arc_2{samples[i].center, samples[i + 1].center, 0});

@@ -22,11 +22,11 @@ namespace bounding_arcs_tool {
 struct Found_thickness {
   const Found_axis& axis;
   const Query_drawing& loaded;
-  double below;                                    ///< the limit; infinite for none
-  std::optional<ba::Medial_sample> thickest = {};  ///< none of an axis without vertices
-  std::optional<ba::Medial_sample> thinnest = {};  ///< outside of corners
-  std::vector<ba::Thin_stretch> stretches = {};    ///< below the limit
-  std::vector<ba::Neck> necks = {};                ///< below the limit, or all
+  double below;                                            ///< the limit; infinite for none
+  std::optional<ba::Medial_axis_2::Sample> thickest = {};  ///< none of an axis without vertices
+  std::optional<ba::Medial_axis_2::Sample> thinnest = {};  ///< outside of corners
+  std::vector<ba::Thin_stretch> stretches = {};            ///< below the limit
+  std::vector<ba::Neck> necks = {};                        ///< below the limit, or all
 
   [[nodiscard]] bool has_limit() const { return std::isfinite(below); }
 };

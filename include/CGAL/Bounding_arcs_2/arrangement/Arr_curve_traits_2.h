@@ -153,7 +153,7 @@ class Arr_curve_traits_2 {
     /// \pre p is on the curve, and no end of it
     void operator()(const X_monotone_curve_2& c, const Point_2& p, X_monotone_curve_2& left,
                     X_monotone_curve_2& right) const {
-      const Arr_curve_end at{p, internal::parameter_at(c, p)};
+      const Arr_x_monotone_curve_2::End at{p, internal::parameter_at(c, p)};
       const X_monotone_curve_2 whole = c;
       left = whole.part(whole.left_end(), at);
       right = whole.part(at, whole.right_end());

@@ -50,7 +50,7 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
   return polygon;
 }
 
-/// Returns the polygon that arcs run round: Arc_2 or what has their members (Chain_arc_2), in a range.
+/// Returns the polygon that arcs run round: Arc_2 or what has their members (Arc_chain::Arc), in a range.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class Arcs>
 [[nodiscard]] Arc_polygon_2<Kernel> polygon_of_arcs(const Arcs& arcs) {
   std::vector<Boundary_piece_2<typename Kernel::FT>> pieces;
@@ -85,10 +85,10 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
   std::vector<Arc_polygon_2<Kernel>> polygons(offset.chains.size());
   std::vector<std::list<Arc_polygon_2<Kernel>>> holes(offset.chains.size());
   for (std::size_t i = 0; i < offset.chains.size(); ++i) {
-    const Offset_chain& chain = offset.chains[i];
+    const Offset::Chain& chain = offset.chains[i];
     if (!chain.is_closed) continue;
     std::vector<Arc_2> arcs;
-    for (const Offset_piece& piece : chain.pieces) arcs.push_back(piece.arc);
+    for (const Offset::Piece& piece : chain.pieces) arcs.push_back(piece.arc);
     polygons[i] = polygon_of_arcs<Kernel>(arcs);
     if (chain.is_ccw || !chain.parent) continue;
     holes[*chain.parent].push_back(polygons[i]);

@@ -39,7 +39,7 @@ namespace CGAL::Bounding_arcs::internal {
 
 using Arc_side = std::vector<Arc_2>;
 
-[[nodiscard]] inline Arc_side arcs_of(const Arc_region_2& region, const Arc_side_2& side) {
+[[nodiscard]] inline Arc_side arcs_of(const Arc_region_2& region, const Arc_region_2::Side& side) {
   if (side.size == 1) return {{region.from, region.to, side.bulges[0]}};
   return {{region.from, side.joint, side.bulges[0]}, {side.joint, region.to, side.bulges[1]}};
 }

@@ -23,16 +23,18 @@ namespace CGAL::Bounding_arcs {
 /// A way along the axis.
 /// \code
 /// for (const Axis_branch& branch : axis_branches(axis, 0.5))  // where discs have radii of at most 0.5
-///   for (const Medial_sample& s : branch.samples) std::cout << s.center.x << ' ' << s.center.y << ' ' << -s.radius;
+///   for (const Medial_axis_2::Sample& s : branch.samples) std::cout << s.center.x << ' ' << s.center.y << ' ' <<
+///   -s.radius;
 /// \endcode
 struct Axis_branch {
-  std::vector<Medial_sample> samples;  ///< one of a disc without edges; a way round has its first one again at the end
-  double length = 0;                   ///< of the straight lines between centers
-  std::size_t part = 0;                ///< the connected part of what is taken that it belongs to
+  std::vector<Medial_axis_2::Sample>
+      samples;           ///< one of a disc without edges; a way round has its first one again at the end
+  double length = 0;     ///< of the straight lines between centers
+  std::size_t part = 0;  ///< the connected part of what is taken that it belongs to
 
   /// Writes a line for each sample.
   friend std::ostream& operator<<(std::ostream& out, const Axis_branch& all) {
-    for (const Medial_sample& one : all.samples) out << one << '\n';
+    for (const Medial_axis_2::Sample& one : all.samples) out << one << '\n';
     return out;
   }
 };

@@ -29,8 +29,8 @@ namespace CGAL::Bounding_arcs {
 void check_frame(const Drawing_2<double>& drawing);
 
 /// Whether an edge runs beside a curve: its discs touch the curve on one of their sides.
-[[nodiscard]] inline bool touches(const Medial_edge& edge, std::size_t curve) {
-  const Medial_sample& s = edge.samples[edge.samples.size() / 2];
+[[nodiscard]] inline bool touches(const Medial_axis_2::Edge& edge, std::size_t curve) {
+  const Medial_axis_2::Sample& s = edge.samples[edge.samples.size() / 2];
   return s.left.curve == curve || s.right.curve == curve;
 }
 

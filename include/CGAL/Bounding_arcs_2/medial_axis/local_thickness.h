@@ -30,8 +30,8 @@ class Local_thickness_2 {
   /// \complexity n log n in the samples
   explicit Local_thickness_2(const Medial_axis_2& axis) : unit_(internal::unit_of(axis)) {
     const auto disc = [this](const auto& of) { return Disc{unit_.in(of.center), unit_.in(of.radius)}; };
-    for (const Medial_vertex& v : axis.vertices) steps_.push_back({disc(v), disc(v)});
-    for (const Medial_edge& e : axis.edges)
+    for (const Medial_axis_2::Vertex& v : axis.vertices) steps_.push_back({disc(v), disc(v)});
+    for (const Medial_axis_2::Edge& e : axis.edges)
       for (std::size_t i = 1; i < e.samples.size(); ++i) steps_.push_back({disc(e.samples[i - 1]), disc(e.samples[i])});
     nodes_.resize(2 * steps_.size());
     if (!steps_.empty()) make(1, 0, steps_.size());

@@ -33,14 +33,14 @@ template <class Work> void loop_over_ranges(Index_loop loop, std::size_t count, 
 }
 
 /// What an axis is made by.
-struct Axis_job : Medial_axis_options {
+struct Axis_job : Medial_axis_2::Options {
   double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
   Index_loop loop = index_loop<CGAL::Sequential_tag>();
 };
 template <class ConcurrencyTag = CGAL::Sequential_tag>
-[[nodiscard]] Axis_job axis_job(double eps, const Medial_axis_options& options) {
+[[nodiscard]] Axis_job axis_job(double eps, const Medial_axis_2::Options& options) {
   Axis_job job;
-  static_cast<Medial_axis_options&>(job) = options;
+  static_cast<Medial_axis_2::Options&>(job) = options;
   job.eps = eps;
   job.loop = index_loop<ConcurrencyTag>();
   return job;
@@ -78,7 +78,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
 ///   discs; here of the curves themselves, by searches as Lee, Kim, Kim, Elber 2016 have them
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 [[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& tree, double eps,
-                                        const Medial_axis_options& options = {}) {
+                                        const Medial_axis_2::Options& options = {}) {
   return internal::medial_axis(tree, internal::axis_job<ConcurrencyTag>(eps, options));
 }
 

@@ -31,18 +31,18 @@ namespace CGAL::Bounding_arcs {
 ///   std::cout << stretch.thickness() << " over a length of " << stretch.length << '\n';
 /// \endcode
 struct Thin_stretch {
-  std::vector<Medial_sample>
+  std::vector<Medial_axis_2::Sample>
       samples;            ///< one of a shape that is a disc; a way round has its first one again at the end
   std::size_t least = 0;  ///< the sample with the smallest disc
   double length = 0;      ///< of the lines between the samples
 
   /// The smallest disc, and where it touches both sides.
-  [[nodiscard]] const Medial_sample& disc() const { return samples[least]; }
+  [[nodiscard]] const Medial_axis_2::Sample& disc() const { return samples[least]; }
   [[nodiscard]] double thickness() const { return 2 * disc().radius; }
 
   /// Writes a line for each sample.
   friend std::ostream& operator<<(std::ostream& out, const Thin_stretch& all) {
-    for (const Medial_sample& one : all.samples) out << one << '\n';
+    for (const Medial_axis_2::Sample& one : all.samples) out << one << '\n';
     return out;
   }
 };
@@ -71,8 +71,8 @@ constexpr double THIN_CORNER = 1.0471975511965976;
 /// for (const Neck& neck : necks(axis)) std::cout << neck.thickness() << '\n';
 /// \endcode
 struct Neck {
-  Medial_sample disc;    ///< the smallest one, and where it touches both sides
-  std::size_t edge = 0;  ///< of the axis
+  Medial_axis_2::Sample disc;  ///< the smallest one, and where it touches both sides
+  std::size_t edge = 0;        ///< of the axis
   double prominence =
       0;  ///< the radius rises by that on each way to a narrower place or an end; infinite: none is left
 

@@ -76,7 +76,7 @@ struct Offset_bracket {
 ///   from the boundary of what these fill. A point of `inside` and the point of `outside` nearest to it have distances
 ///   that differ by no more than eps
 [[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps,
-                                            const Offset_options& options = {});
+                                            const Offset::Options& options = {});
 
 /// Returns what is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance
 /// or a tool's way.

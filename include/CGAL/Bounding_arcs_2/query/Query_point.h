@@ -88,25 +88,25 @@ template <class Point = Xy<double>> struct Signed_distance {
   }
 };
 
-/// A point of one of two drawings.
-template <class Point = Xy<double>> struct Drawing_point {
-  Point point;  ///< on the curve but for rounding
-  Curve_place place;
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Drawing_point& answer) {
-    return out << answer.point << ' ' << answer.place;
-  }
-};
-
 /// A distance of two drawings and the points, one of each, where it is.
 /// \code
 /// if (const auto gap = distance(tree, other))
 ///   std::cout << gap->distance.lower << " between " << gap->a.point << " and " << gap->b.point << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Drawing_distance {
+  /// A point of one of two drawings.
+  struct End {
+    Point point;  ///< on the curve but for rounding
+    Curve_place place;
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const End& answer) {
+      return out << answer.point << ' ' << answer.place;
+    }
+  };
+
   Bracket distance;  ///< of the exact curves
-  Drawing_point<Point> a, b;
+  End a, b;
   Query_status status = Query_status::COMPLETE;
 
   template <class Other> operator Drawing_distance<Other>() const {  // NOLINT: the same with another kernel's points

@@ -27,7 +27,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// Arc i of a side.
-[[nodiscard]] inline Arc_2 arc_of(const Arc_region_2& region, const Arc_side_2& side, std::size_t i) {
+[[nodiscard]] inline Arc_2 arc_of(const Arc_region_2& region, const Arc_region_2::Side& side, std::size_t i) {
   return {i == 0 ? region.from : side.joint, i + 1 == side.size ? region.to : side.joint, side.bulges[i]};
 }
 
@@ -80,7 +80,8 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// Signed distance from a point to a side: that of its nearer arc.
-[[nodiscard]] inline double signed_distance(const Xy<double>& q, const Arc_region_2& region, const Arc_side_2& side) {
+[[nodiscard]] inline double signed_distance(const Xy<double>& q, const Arc_region_2& region,
+                                            const Arc_region_2::Side& side) {
   const double first = signed_distance(q, arc_of(region, side, 0));
   if (side.size == 1) return first;
   const double second = signed_distance(q, arc_of(region, side, 1));
@@ -177,7 +178,7 @@ struct Tangent_cone_2 {
 /// a bulge by as much, which counts twice in an angle: 8 w / L make up for them and for rounding, 16 u.
 /// \return nothing where the widening leaves all directions open
 [[nodiscard]] inline std::optional<Tangent_cone_2> tangent_cone(const Arc_region_2& region) {
-  const Arc_side_2& outer = region.outer;
+  const Arc_region_2::Side& outer = region.outer;
   const Arc_2 start = arc_of(region, outer, 0), end = arc_of(region, outer, outer.size - 1);
   const auto room = [&](const Arc_2& arc) {
     return 8 * region.widening / euclidean_norm(arc.to - arc.from) + 16 * HALF_ULP;
