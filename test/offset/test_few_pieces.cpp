@@ -200,7 +200,7 @@ TEST(FewPieces, OfMitersAndSquareCapsAreLines) {
       for (const auto& piece : grown.chains[0].pieces) {
         EXPECT_EQ(piece.kind, ba::Offset::Kind::CURVE);
         EXPECT_FALSE(piece.is_round);
-        EXPECT_EQ(piece.source.bezier, ba::bezier_of_end(piece));
+        EXPECT_EQ(piece.source.bezier, piece.bezier_of_end());
         EXPECT_EQ(std::fabs(piece.t_end - piece.source.t), 1);
       }
       options.side = ba::Offset::Side::RIGHT;
@@ -250,7 +250,7 @@ TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
         const ba::Offset::Piece& piece = offset.chains[0].pieces[i];
         EXPECT_EQ(piece.arc.bulge == 0, i % 2 == 0);
         EXPECT_EQ(piece.source.bezier, i == 0 ? 0 : ends[i - 1] + 1);
-        EXPECT_EQ(ba::bezier_of_end(piece), ends[i]);
+        EXPECT_EQ(piece.bezier_of_end(), ends[i]);
         EXPECT_NEAR(piece.source.t, 0, 1e-12);
         EXPECT_NEAR(piece.t_end, 1, 1e-12);
       }

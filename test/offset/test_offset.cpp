@@ -368,7 +368,7 @@ TEST(Offset, KnowsWhereItComesFrom) {
         return ba::euclidean_norm(q - drawing.curves()[p.source.curve].beziers[bezier].point(t));
       };
       EXPECT_NEAR(far(p.arc.from, p.source.bezier, p.source.t), d, 1e-3);
-      EXPECT_NEAR(far(p.arc.to, ba::bezier_of_end(p), p.t_end), d, 1e-3);
+      EXPECT_NEAR(far(p.arc.to, p.bezier_of_end(), p.t_end), d, 1e-3);
     }
 }
 

@@ -119,7 +119,7 @@ class Side_check {
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Point p = ba::point(piece.arc, share);
       if (!is_join) {
-        const std::uint32_t last = ba::bezier_of_end(piece);
+        const std::uint32_t last = piece.bezier_of_end();
         EXPECT_LT(piece.source.bezier + t, last + piece.t_end);
         bool is_on = false;  // one of the Bezier pieces that it comes from
         for (std::uint32_t k = piece.source.bezier; k <= last && !is_on; ++k) {

@@ -34,7 +34,7 @@ Point query_about(const Drawing& drawing, std::mt19937& random) {
   const auto& curve = drawing.curves()[random() % drawing.curves().size()];
   const Bezier& piece = curve.beziers[random() % curve.beziers.size()];
   const double t = random() % 4 == 0 ? static_cast<double>(random() % 2) : 0.5 + 0.5 * unit(random);
-  const ba::Curve_jet jet = ba::Bezier_evaluator(piece)(t);
+  const auto jet = ba::Bezier_evaluator(piece)(t);
   const Point p = jet.point, normal = perp(jet.first);
   switch (random() % 6) {
     case 0:

@@ -28,8 +28,8 @@ namespace CGAL::Bounding_arcs {
 }
 
 Bisector_2::Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2& b, double largest)
-    : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(scaled(a, unit_)), b_(b.in_unit(unit_)),
-      largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
+    : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(internal::scaled(a, unit_)),
+      b_(b.in_unit(unit_)), largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
   if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
     throw std::invalid_argument(expected("largest", "a radius above 0 and up to 2^500 (3e150)", largest));
   check_queried(a);

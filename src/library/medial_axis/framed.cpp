@@ -43,7 +43,7 @@ Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
   return framed(std::move(drawing), wide);
 }
 
-void check_frame(const Drawing_2<double>& drawing) {
+void internal::check_frame(const Drawing_2<double>& drawing) {
   if (drawing.curves().empty()) return;
   Drawing_2<double> frame;
   frame.add(drawing.curves().back().beziers, drawing.curves().back().name);

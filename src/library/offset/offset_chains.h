@@ -23,7 +23,7 @@ namespace CGAL::Bounding_arcs::internal {
   Offset::Piece result = piece;
   result.arc = reversed(piece.arc);
   std::swap(result.source.t, result.t_end);
-  result.source.bezier = bezier_of_end(piece);
+  result.source.bezier = piece.bezier_of_end();
   result.bezier_step = -piece.bezier_step;
   return result;
 }

@@ -126,7 +126,7 @@ class Piece_stretch {
   }
   static void set_end(Offset::Piece& piece, const Offset::Piece& at, bool is_end) {
     piece.t_end = is_end ? at.t_end : at.source.t;
-    const std::uint32_t bezier = is_end ? bezier_of_end(at) : at.source.bezier;
+    const std::uint32_t bezier = is_end ? at.bezier_of_end() : at.source.bezier;
     piece.bezier_step = static_cast<std::int32_t>(bezier - piece.source.bezier);
   }
   // A piece that starts at a way along; at the end of one that is as near as rounding.
@@ -141,7 +141,7 @@ class Piece_stretch {
   [[nodiscard]] static Offset::Piece with_start(Offset::Piece piece, double share) {
     if (share == 0) return piece;
     piece.arc.from = share == 1 ? piece.arc.to : point(piece.arc, share);
-    if (share == 1) piece.source.bezier = bezier_of_end(piece);
+    if (share == 1) piece.source.bezier = piece.bezier_of_end();
     piece.source.t += share * (piece.t_end - piece.source.t);
     return piece;
   }

@@ -282,14 +282,14 @@ template <std::size_t MOST>
 
 }  // namespace internal
 
-std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2<double>& a,
-                                                            const Bezier_curve_2<double>& b) {
+std::optional<Piece_intersections> internal::intersections_by_doubles(const Bezier_curve_2<double>& a,
+                                                                      const Bezier_curve_2<double>& b) {
   check_served(a);
   check_served(b);
   const Unit unit = Unit::of_size((std::max)(coordinate_size(a), coordinate_size(b)));
-  if (!is_ordinary(unit, a) || !is_ordinary(unit, b)) {
-    if (!keeps(unit, a) || !keeps(unit, b)) return std::nullopt;
-    return intersections_by_doubles(scaled(a, unit), scaled(b, unit));
+  if (!internal::is_ordinary(unit, a) || !internal::is_ordinary(unit, b)) {
+    if (!internal::keeps(unit, a) || !internal::keeps(unit, b)) return std::nullopt;
+    return internal::intersections_by_doubles(internal::scaled(a, unit), internal::scaled(b, unit));
   }
   constexpr std::size_t CUBIC = 3, HIGH = 9;
   const int degree = (std::max)(a.degree(), b.degree());
@@ -299,7 +299,7 @@ std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2
 }
 
 Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
-  if (std::optional<Piece_intersections> found = intersections_by_doubles(a, b)) return *std::move(found);
+  if (std::optional<Piece_intersections> found = internal::intersections_by_doubles(a, b)) return *std::move(found);
   return exact_intersections(exact_bezier(a), exact_bezier(b));
 }
 

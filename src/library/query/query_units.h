@@ -26,9 +26,10 @@ namespace CGAL::Bounding_arcs {
 /// \throws std::invalid_argument for a point that the unit does not serve: farther away than all curves by 2^500 of
 ///   them, or with a coordinate that is lost beside theirs
 [[nodiscard]] inline Xy<double> point_in(const Unit& unit, const Xy<double>& q) {
-  check_point(q);
+  internal::check_point(q);
   const Xy<double> p = unit.in(q);
-  if (!is_queried(p)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 times the drawing's", q));
+  if (!internal::is_queried(p))
+    throw std::invalid_argument(expected("point", "coordinates up to 2^500 times the drawing's", q));
   if (!unit.keeps(q))
     throw std::invalid_argument(expected("point", "coordinates that are not lost beside the drawing's", q));
   return p;

@@ -53,7 +53,7 @@ Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis
   for (double& b : scaled_options.bounds) b = unit.in(b);
   scaled_axis.eps = unit.in(axis.eps), scaled_axis.error = unit.in(axis.error);
   scaled_axis.moved = unit.in(axis.moved);
-  const Drawing_2<double> scaled_curves = scaled(curves, unit);
+  const Drawing_2<double> scaled_curves = internal::scaled(curves, unit);
   Axis_verification result = verify::Axis_checker(scaled_curves, scaled_axis, scaled_options).check();
   for (double* length : {&result.miss, &result.aside, &result.gap, &result.deviation}) *length = unit.out(*length);
   for (Axis_verification::Finding& f : result.findings) f.amount = unit.out(f.amount);

@@ -86,7 +86,7 @@ void write_csv(std::ostream& out, const std::vector<ba::Offset>& offsets, const 
       for (const ba::Offset::Piece& p : offset.chains[i].pieces)
         out << number(offset.distance) << ',' << i << ',' << KINDS[static_cast<int>(p.kind)] << ','
             << csv_field(drawing.curves()[p.source.curve].name) << ',' << p.source.bezier << ',' << number(p.source.t)
-            << ',' << number(p.t_end) << ',' << ba::bezier_of_end(p) << ',' << piece_fields(p.arc) << '\n';
+            << ',' << number(p.t_end) << ',' << p.bezier_of_end() << ',' << piece_fields(p.arc) << '\n';
 }
 
 void write_chain(std::ostream& out, const ba::Offset::Chain& chain, const ba::Drawing_2<double>& drawing) {
@@ -104,7 +104,7 @@ void write_chain(std::ostream& out, const ba::Offset::Chain& chain, const ba::Dr
     out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
         << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end)
-        << ",\"bezier_end\":" << ba::bezier_of_end(p) << "}}";
+        << ",\"bezier_end\":" << p.bezier_of_end() << "}}";
     separator = ",\n{";
   }
   out << "]}";

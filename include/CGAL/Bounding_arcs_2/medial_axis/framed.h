@@ -24,9 +24,11 @@ namespace CGAL::Bounding_arcs {
 /// \throws std::invalid_argument for a drawing without curves, or a margin that coordinates do not resolve
 [[nodiscard]] Drawing_2<double> framed(Drawing_2<double> drawing, double margin);
 
+namespace internal {
 /// Checks a drawing whose last curve is to be a frame, and whose curves do not cross.
 /// \throws std::invalid_argument if that is open, or does not enclose a curve
 void check_frame(const Drawing_2<double>& drawing);
+}  // namespace internal
 
 /// Whether an edge runs beside a curve: its discs touch the curve on one of their sides.
 [[nodiscard]] inline bool touches(const Medial_axis_2::Edge& edge, std::size_t curve) {

@@ -86,6 +86,11 @@ struct Offset {
     bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not, nor are lines
                            ///< that miters and caps lead on
     std::int32_t bezier_step = 0;  ///< how many Bezier pieces behind that of its start its end is, or before it
+
+    /// The Bezier piece that the end is the offset of.
+    [[nodiscard]] std::uint32_t bezier_of_end() const {
+      return source.bezier + static_cast<std::uint32_t>(bezier_step);
+    }
   };
 
   /// Pieces that follow each other.
@@ -127,11 +132,6 @@ struct Offset {
     return out;
   }
 };
-
-/// The Bezier piece that the end of a piece is the offset of.
-[[nodiscard]] inline std::uint32_t bezier_of_end(const Offset::Piece& piece) {
-  return piece.source.bezier + static_cast<std::uint32_t>(piece.bezier_step);
-}
 
 }  // namespace CGAL::Bounding_arcs
 

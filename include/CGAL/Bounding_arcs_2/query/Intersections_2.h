@@ -102,7 +102,7 @@ template <class Point = Xy<double>> struct Intersections_2 {
 
   template <class Other> operator Intersections_2<Other>() const {  // NOLINT: the same with another kernel's points
     Intersections_2<Other> result{{}, overlaps};
-    for (const auto& p : points) result.points.push_back({answered<Other>(p.point), p.kind, p.a, p.b});
+    for (const auto& p : points) result.points.push_back({internal::answered<Other>(p.point), p.kind, p.a, p.b});
     return result;
   }
 

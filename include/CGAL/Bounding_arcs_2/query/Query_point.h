@@ -48,7 +48,7 @@ template <class Point = Xy<double>> struct Closest_point {
   Query_status status = Query_status::COMPLETE;
 
   template <class Other> operator Closest_point<Other>() const {  // NOLINT: the same with another kernel's point
-    return {distance, answered<Other>(point), place, status};
+    return {distance, internal::answered<Other>(point), place, status};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -79,7 +79,7 @@ template <class Point = Xy<double>> struct Signed_distance {
   }
 
   template <class Other> operator Signed_distance<Other>() const {  // NOLINT: the same with another kernel's point
-    return {distance, side, answered<Other>(point), place, status};
+    return {distance, side, internal::answered<Other>(point), place, status};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -110,7 +110,8 @@ template <class Point = Xy<double>> struct Drawing_distance {
   Query_status status = Query_status::COMPLETE;
 
   template <class Other> operator Drawing_distance<Other>() const {  // NOLINT: the same with another kernel's points
-    return {distance, {answered<Other>(a.point), a.place}, {answered<Other>(b.point), b.place}, status};
+    return {
+        distance, {internal::answered<Other>(a.point), a.place}, {internal::answered<Other>(b.point), b.place}, status};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -119,12 +120,14 @@ template <class Point = Xy<double>> struct Drawing_distance {
   }
 };
 
+namespace internal {
 /// \throws std::invalid_argument for a point that is no number or out of the range of queries
 inline void check_point(const Xy<double>& q) {
   if (!std::isfinite(q.x) || !std::isfinite(q.y))
     throw std::invalid_argument(expected("point", "finite coordinates", q));
   if (!is_queried(q)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 (3e150)", q));
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -48,18 +48,18 @@ template <class Point = Default_kernel::Point_2>
 /// \guarantee as closest_point
 /// \throws std::invalid_argument for a point that is no number
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
-[[nodiscard]] std::vector<Closest_point<Element_of<Points>>> closest_points_of_all(const Bounding_arc_tree_2& tree,
-                                                                                   const Points& points) {
-  const std::vector<Asked_point> places = asked(points);
-  for (const Asked_point& q : places) check_point(q.point);
+[[nodiscard]] std::vector<Closest_point<internal::Element_of<Points>>> closest_points_of_all(
+    const Bounding_arc_tree_2& tree, const Points& points) {
+  const std::vector<Asked_point> places = internal::asked(points);
+  for (const Asked_point& q : places) internal::check_point(q.point);
   if (tree.empty()) return {};
   std::vector<Closest_point<>> results(places.size());
-  for_each_range<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+  internal::for_each_range<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       results[i] = i == begin ? *internal::closest_point(tree, places[i])
                               : *internal::closest_point(tree, places[i], results[i - 1].place);
   });
-  return answered<Closest_point<Element_of<Points>>>(results);
+  return internal::answered<Closest_point<internal::Element_of<Points>>>(results);
 }
 
 }  // namespace CGAL::Bounding_arcs

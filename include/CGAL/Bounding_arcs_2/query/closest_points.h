@@ -28,7 +28,7 @@ namespace CGAL::Bounding_arcs {
 template <class Point = Default_kernel::Point_2>
 [[nodiscard]] std::vector<Closest_point<Point>> closest_points(const Bounding_arc_tree_2& tree, const Point& q,
                                                                double eps) {
-  return answered<Closest_point<Point>>(internal::closest_points(tree, q, eps));
+  return internal::answered<Closest_point<Point>>(internal::closest_points(tree, q, eps));
 }
 
 /// Returns the nearest point of each of the k curves that are nearest to q, nearest ones first.
@@ -39,7 +39,7 @@ template <class Point = Default_kernel::Point_2>
 template <class Point = Default_kernel::Point_2>
 [[nodiscard]] std::vector<Closest_point<Point>> k_nearest_curves(const Bounding_arc_tree_2& tree, const Point& q,
                                                                  std::size_t k) {
-  return answered<Closest_point<Point>>(internal::k_nearest_curves(tree, q, k));
+  return internal::answered<Closest_point<Point>>(internal::k_nearest_curves(tree, q, k));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -49,7 +49,8 @@ template <class Point = Xy<double>> struct Convex_hull {
   template <class Other> operator Convex_hull<Other>() const {  // NOLINT: the same with another kernel's points
     Convex_hull<Other> result{{}, height, status};
     for (const auto& p : pieces)
-      result.pieces.push_back({p.kind, p.from, p.to, answered<Other>(p.from_point), answered<Other>(p.to_point)});
+      result.pieces.push_back(
+          {p.kind, p.from, p.to, internal::answered<Other>(p.from_point), internal::answered<Other>(p.to_point)});
     return result;
   }
 
@@ -69,7 +70,7 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
   Vector along;  ///< unit vector along such lines; they are apart by no more than the upper bound
 
   template <class Other> operator Width_of_drawing<Other>() const {  // NOLINT: the same with another kernel's vector
-    return {width, answered<Other>(along)};
+    return {width, internal::answered<Other>(along)};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -88,7 +89,7 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
   Point first_point, second_point;
 
   template <class Other> operator Diameter_of_drawing<Other>() const {  // NOLINT: the same with another kernel's points
-    return {diameter, first, second, answered<Other>(first_point), answered<Other>(second_point)};
+    return {diameter, first, second, internal::answered<Other>(first_point), internal::answered<Other>(second_point)};
   }
 
   /// Writes the members in their order, with a blank between.

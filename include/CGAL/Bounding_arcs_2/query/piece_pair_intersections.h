@@ -23,9 +23,11 @@ namespace CGAL::Bounding_arcs {
 /// \complexity one or two microseconds for cubics, and some milliseconds where doubles leave anything open
 [[nodiscard]] Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
 
+namespace internal {
 /// Returns it by doubles alone, where these tell it; there are no overlaps then.
 [[nodiscard]] std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2<double>& a,
                                                                           const Bezier_curve_2<double>& b);
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

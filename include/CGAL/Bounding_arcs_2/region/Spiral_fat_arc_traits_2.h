@@ -117,6 +117,7 @@ template <class CK, class FT>
 }  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
+namespace internal {
 /// The construction with its boundary over rational kernels, which needs the circular kernel's intersections.
 template <class Construction> struct With_algebraic_boundary : Construction {
   With_algebraic_boundary(const Construction& c = {}) : Construction(c) {}  // NOLINT: the same construction
@@ -130,6 +131,7 @@ template <class Construction> struct With_algebraic_boundary : Construction {
     return {kernel_chain<CK>(b.inner), kernel_chain<CK>(b.outer)};
   }
 };
+}  // namespace internal
 
 /// Spiral fat arcs: regions between an arc with a segment and another segment with an arc. Over kernels without square
 /// roots joints are Circular_arc_point_2.
@@ -142,16 +144,20 @@ template <class Construction> struct With_algebraic_boundary : Construction {
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Spiral_fat_arc>
-class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>> {
+class Spiral_fat_arc_traits_2
+    : public Bounding_region_traits_2<CircularKernel, internal::With_algebraic_boundary<Construction>> {
  public:
-  using Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
+  using Bounding_region_traits_2<CircularKernel,
+                                 internal::With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
 };
 
+namespace internal {
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Spiral_fat_arc&, const Chord_shape_2<Exact_rational>&, double);
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const With_algebraic_boundary<Spiral_fat_arc>&,
                                               const Chord_shape_2<Exact_rational>&, double);
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -228,7 +228,7 @@ class Region_hierarchy_2 {
   [[nodiscard]] double bound() const {
     double bound = 0;
     if (options_.nodes == Build_options::Nodes::LAZY)
-      for (const Spiral& s : spirals_) bound = (std::max)(bound, reachable(eps_, s));
+      for (const Spiral& s : spirals_) bound = (std::max)(bound, internal::reachable(eps_, s));
     for (const auto* bounds : {&midpoints_.bounds(), &leaves_.bounds()})
       for (const double b : *bounds) bound = (std::max)(bound, b);
     return bound;
@@ -344,7 +344,7 @@ class Region_hierarchy_2 {
       return midpoints_.nodes().thickness(h.index);
     const Region_node n = node(h);
     const Spiral& s = spirals_[n.spiral];
-    const double eps = reachable(eps_, s);
+    const double eps = internal::reachable(eps_, s);
     std::optional<double> sharp;
     if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
     const double upper =
@@ -367,7 +367,7 @@ class Region_hierarchy_2 {
   }
 
  private:
-  using Boxes_later = Made_once<internal::Segment_boxes>;
+  using Boxes_later = internal::Made_once<internal::Segment_boxes>;
 
   // The boxes over segments.
   [[nodiscard]] const internal::Segment_boxes& boxes() const {
@@ -389,7 +389,7 @@ class Region_hierarchy_2 {
     const Spiral& s = spirals_[spiral];
     const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
     const auto are_thick = [&](const auto& decide) {
-      return decide.are_thick(s, level, place, count, reachable(eps_, s));
+      return decide.are_thick(s, level, place, count, internal::reachable(eps_, s));
     };
     const unsigned thick = is_last ? 0 : options_.is_filtered ? are_thick(decide_) : are_thick(decide_plainly_);
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});

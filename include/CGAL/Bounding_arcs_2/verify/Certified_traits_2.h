@@ -52,7 +52,7 @@ template <class Construction, class Spiral>
   using Exact = typename Spiral::Exact_number_type;
   const auto shape = spiral.template shape<Exact>(t0, t1, shape_parts<Construction>());
   return (std::min)(sharp.value_or(std::numeric_limits<double>::infinity()),
-                    bound_exactly(construction, shape, eps).upper);
+                    internal::bound_exactly(construction, shape, eps).upper);
 }
 
 /// Calls visit(t0, t1, region) for the region of [t0, t1] or, in curve order, for those of its halves, and of theirs,

@@ -40,8 +40,8 @@ template <class Traits, class Spiral> class Filtered_decider {
   void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness) {
     if constexpr (IS_DOUBLE) filter_.look_ahead(first, count, eps, keeps_thickness);
   }
-  [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
-                                      Decision_counts& counts) {
+  [[nodiscard]] internal::Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                internal::Region_nodes& nodes, Decision_counts& counts) {
     if constexpr (IS_DOUBLE)
       if (const auto s = filter_.subdivide(spiral, eps, limit, nodes, counts, open_piece(spiral, bound_))) return *s;
     return plain_.subdivide(spiral, eps, limit, nodes, counts);

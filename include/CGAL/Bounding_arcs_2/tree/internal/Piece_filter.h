@@ -28,7 +28,9 @@ namespace CGAL::Bounding_arcs {
 struct Bca;
 struct Bilens;
 struct Spiral_fat_arc;
+namespace internal {
 template <class Construction> struct With_algebraic_boundary;
+}  // namespace internal
 
 namespace filter {
 
@@ -40,7 +42,7 @@ template <> inline constexpr Method METHOD<Bca> = Method::BCA;
 template <> inline constexpr Method METHOD<Bilens> = Method::BILENS;
 template <> inline constexpr Method METHOD<Spiral_fat_arc> = Method::SPIRAL_FAT_ARC;
 template <class Construction>
-inline constexpr Method METHOD<With_algebraic_boundary<Construction>> = METHOD<Construction>;
+inline constexpr Method METHOD<internal::With_algebraic_boundary<Construction>> = METHOD<Construction>;
 #endif
 
 /// Whether segments keep a local curve.
@@ -66,9 +68,9 @@ class Piece_filter {
   void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness);
   /// Appends the subtree of a segment, the nodes of Bounding_arcs::subdivide. \return nothing, and no nodes, where
   /// there are no batches
-  [[nodiscard]] std::optional<Subdivision> subdivide(const Spiral& spiral, double eps, std::size_t limit,
-                                                     Region_nodes& nodes, Decision_counts& counts,
-                                                     const Open_piece& open);
+  [[nodiscard]] std::optional<internal::Subdivision> subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                               internal::Region_nodes& nodes, Decision_counts& counts,
+                                                               const Open_piece& open);
   /// Whether pieces place and, for `count` 2, place + 1 of a level are thicker than eps, a bit each; or nothing.
   [[nodiscard]] std::optional<unsigned> are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
                                                   double eps, const Open_piece& open) const;

@@ -82,8 +82,8 @@ template <class Traits, class Spiral> class Plain_decider {
   /// Does nothing, as each segment is decided by itself.
   void look_ahead(const Spiral*, std::size_t, double, bool) {}
   /// Appends a segment's subtree, see Bounding_arcs::subdivide.
-  [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
-                                      Decision_counts& counts) {
+  [[nodiscard]] internal::Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                internal::Region_nodes& nodes, Decision_counts& counts) {
     return Bounding_arcs::subdivide(bound_, spiral, eps, limit, nodes, counts);
   }
 
