@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
-#include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
+#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <algorithm>

@@ -7,9 +7,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/exchange/svg_path.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Formula_study.h>
 #include <CGAL/Bounding_arcs_2/study/Randomly_rounded.h>

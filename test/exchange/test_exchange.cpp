@@ -7,7 +7,7 @@
 
 #include "bulge_arcs.h"
 
-#include <CGAL/Bounding_arcs_2/exchange/polygon_area.h>
+#include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>
 #include <CGAL/Bounding_arcs_2/exchange/widened_outline.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 

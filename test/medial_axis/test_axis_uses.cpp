@@ -10,8 +10,8 @@
 #include "closed_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 

@@ -10,8 +10,8 @@
 #include "closed_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>

@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "closed_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 
 #include <gtest/gtest.h>

@@ -11,9 +11,9 @@
 #include "scaled_answers.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>

@@ -9,7 +9,6 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include "../../src/library/query/Closest_search.h"
 
 #include <gtest/gtest.h>

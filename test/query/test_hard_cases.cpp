@@ -10,11 +10,10 @@
 #include "hard_cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>

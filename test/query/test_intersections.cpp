@@ -8,7 +8,6 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 #include "../../src/library/query/exact_intersections.h"
 

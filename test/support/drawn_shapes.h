@@ -11,7 +11,7 @@
 #include "near_equal_discs.h"
 #include "nudged_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <algorithm>
 #include <cmath>

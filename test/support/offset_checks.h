@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include "../polynomial/Interval_isolation.h"
 #include "../query/Intersection_search.h"

@@ -36,7 +36,7 @@ class Clipper {
     for (std::uint32_t c = 0; c < drawn.size() && !undecided_; ++c)
       for (std::uint32_t b = 0; b < drawn[c].beziers.size() && !undecided_; ++b)
         add_parts(c, b, curves_.number_of_bezier(c, b), result);
-    if (undecided_) return {{}, Outline_2::Status::UNDECIDED, undecided_};
+    if (undecided_) return {{}, Clipped_2::Status::UNDECIDED, undecided_};
     return result;
   }
 

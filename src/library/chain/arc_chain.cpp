@@ -9,7 +9,7 @@
 #include "Spiral_arcs.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>

@@ -5,7 +5,7 @@
 // Bodies of medial_axis/bisector.h.
 
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/Closest_search.h"

@@ -2,11 +2,11 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of medial_axis/clearance_path.h.
+// The path with the most room between two points (medial_axis/medial_axis.h).
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_graph.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include "../query/Closest_search.h"
 #include "../query/query_units.h"
 #include "../tree/Segment_hierarchy.h"

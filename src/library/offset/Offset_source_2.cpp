@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>

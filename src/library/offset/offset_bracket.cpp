@@ -12,7 +12,6 @@
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
 #include <CGAL/Bbox_2.h>
 

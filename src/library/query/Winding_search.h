@@ -19,7 +19,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_WINDING_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_WINDING_SEARCH_H
 
-#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include "../tree/Segment_hierarchy.h"
 #include "exact_intersections.h"

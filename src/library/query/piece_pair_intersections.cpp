@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of query/piece_pair_intersections.h.
+// Common points of two Bezier pieces (query/intersections.h). The plain algorithm is exact_intersections. Before it
+// stands a search in doubles over control polygons; where it leaves anything open, it is forgotten.
 
 #include "Newton_box.h"
 #include "exact_intersections.h"
@@ -10,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include "../curve/exact_bezier.h"
 
 #include <boost/container/small_vector.hpp>

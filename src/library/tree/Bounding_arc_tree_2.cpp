@@ -4,7 +4,6 @@
 //
 // Bodies of Bounding_arc_tree_2.h.
 
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>

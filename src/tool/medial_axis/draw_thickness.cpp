@@ -10,7 +10,7 @@
 #include "../number_text.h"
 #include "../svg_paths.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <algorithm>
 #include <cmath>

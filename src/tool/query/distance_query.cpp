@@ -7,7 +7,6 @@
 #include "../number_text.h"
 
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
 #include <algorithm>
 #include <utility>

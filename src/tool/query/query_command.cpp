@@ -11,7 +11,7 @@
 #include "../option_words.h"
 #include "../usage.h"
 
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 
 #include <CLI/CLI.hpp>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
-#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>

@@ -130,7 +130,7 @@ struct Medial_axis_2 {
   }
 };
 
-/// A way between two points (clearance_path.h).
+/// A way between two points (medial_axis.h).
 /// \code
 /// const auto path = clearance_path(closed, axis, {0.1, 0}, {-0.1, 0});
 /// if (path) std::cout << "a disc of radius " << path->bottleneck << " gets through\n";

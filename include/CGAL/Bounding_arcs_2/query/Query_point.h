@@ -2,18 +2,21 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What searches for closest points answer.
+// What searches for closest points and point location answer.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <cmath>
 #include <cstdint>
@@ -21,6 +24,21 @@
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
+
+/// How often closed curves run round a point.
+struct Winding_number {
+  /// Whether there is a number: there is none on a curve.
+  enum class State : std::uint8_t { DECIDED, ON, UNDECIDED };
+  State state = State::DECIDED;
+  int number = 0;  ///< of all curves together, positive counterclockwise; 0 unless it is decided
+};
+
+/// The side that a winding number has under a fill rule; uncertain where that is undecided.
+[[nodiscard]] inline Uncertain<Bounded_side> side_of(const Winding_number& w, Fill_rule rule) {
+  if (w.state == Winding_number::State::ON) return ON_BOUNDARY;
+  if (w.state == Winding_number::State::UNDECIDED) return Uncertain<Bounded_side>::indeterminate();
+  return is_filled(rule, w.number) ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
+}
 
 /// How a search ended. Its bracket holds the true number whatever the status is.
 enum class Query_status : std::uint8_t {

@@ -22,9 +22,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-namespace internal {
 template <class Construction> struct With_algebraic_boundary;
-}  // namespace internal
 
 namespace filter {
 
@@ -48,8 +46,7 @@ template <> struct Formulas<Spiral_fat_arc> {
   using Type = Spiral_fat_arc_batch;
   using Arcs = Spiral_fat_arc_arcs;
 };
-template <class Construction>
-struct Formulas<internal::With_algebraic_boundary<Construction>> : Formulas<Construction> {};
+template <class Construction> struct Formulas<With_algebraic_boundary<Construction>> : Formulas<Construction> {};
 
 /// The regions that formulas for arcs make.
 template <class Arcs> inline constexpr Region_form FORM = Region_form::BCA;

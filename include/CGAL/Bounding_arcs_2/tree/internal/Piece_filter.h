@@ -28,9 +28,7 @@ namespace CGAL::Bounding_arcs {
 struct Bca;
 struct Bilens;
 struct Spiral_fat_arc;
-namespace internal {
 template <class Construction> struct With_algebraic_boundary;
-}  // namespace internal
 
 namespace filter {
 
@@ -42,7 +40,7 @@ template <> inline constexpr Method METHOD<Bca> = Method::BCA;
 template <> inline constexpr Method METHOD<Bilens> = Method::BILENS;
 template <> inline constexpr Method METHOD<Spiral_fat_arc> = Method::SPIRAL_FAT_ARC;
 template <class Construction>
-inline constexpr Method METHOD<internal::With_algebraic_boundary<Construction>> = METHOD<Construction>;
+inline constexpr Method METHOD<With_algebraic_boundary<Construction>> = METHOD<Construction>;
 #endif
 
 /// Whether segments keep a local curve.
