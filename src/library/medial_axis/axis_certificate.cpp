@@ -5,9 +5,9 @@
 // Bodies of medial_axis/axis_certificate.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Line_prover.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 // Bodies of medial_axis/axis_conics.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Line_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,12 +5,12 @@
 // The path with the most room between two points (medial_axis/medial_axis.h).
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_graph.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include "../query/Closest_search.h"
 #include "../query/query_units.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
+#include "axis_units.h"
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/filtered_graph.hpp>

@@ -8,7 +8,6 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -18,6 +17,7 @@
 #include "Axis_builder.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

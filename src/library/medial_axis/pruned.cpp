@@ -4,13 +4,13 @@
 //
 // Bodies of medial_axis/pruned.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/Closest_search.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

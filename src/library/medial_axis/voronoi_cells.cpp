@@ -4,11 +4,11 @@
 //
 // Bodies of medial_axis/voronoi_cells.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
 #include "Line_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

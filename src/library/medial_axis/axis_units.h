@@ -4,8 +4,8 @@
 //
 // The ways of an axis into a unit and back (curve/Unit.h).
 
-#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_UNITS_H
-#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_UNITS_H
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_UNITS_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_UNITS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
