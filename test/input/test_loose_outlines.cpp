@@ -228,7 +228,7 @@ TEST(LooseOutlines, AreTheShapesOrTheAmbiguousPlaceIsTold) {
     ASSERT_EQ(closed.curves().size(), made.shapes.size());
     for (const Shape& shape : made.shapes) original.add(shape);
     const Bounding_arc_tree_2 of_closed(closed), of_original(original);
-    Offset_options options;
+    Offset::Options options;
     options.rule = Fill_rule::EVEN_ODD;
     constexpr double OFFSET_EPS = EPS / 8, ALLOWED = EPS / 2 + 2 * OFFSET_EPS;
     for (const double d : {-0.1, 0.2}) {

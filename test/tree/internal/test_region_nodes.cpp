@@ -57,7 +57,7 @@ class Checked_nodes {
   }
   template <class ConcurrencyTag> void append_all(const std::vector<Checked_nodes>& others) {
     const std::vector<std::size_t> begins = nodes_.append_all<ConcurrencyTag>(
-        others.size(), [&](std::size_t i) -> const internal::Region_nodes& { return others[i].nodes_; });
+        others.size(), [&](std::size_t i) -> const Region_nodes& { return others[i].nodes_; });
     ASSERT_EQ(begins.size(), others.size() + 1);
     for (std::size_t i = 0; i < others.size(); ++i) {
       EXPECT_EQ(begins[i], split_.size());
@@ -86,7 +86,7 @@ class Checked_nodes {
   }
 
   std::mt19937_64 random_{31};
-  internal::Region_nodes nodes_;
+  Region_nodes nodes_;
   std::vector<bool> split_;
   std::vector<double> thickness_;
 };
