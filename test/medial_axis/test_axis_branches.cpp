@@ -26,9 +26,9 @@ namespace {
 
 using namespace bounding_arcs_test;
 
-std::vector<double> lengths_of(const std::vector<ba::Axis_branch>& branches) {
+std::vector<double> lengths_of(const std::vector<ba::Medial_axis_2::Branch>& branches) {
   std::vector<double> lengths;
-  for (const ba::Axis_branch& b : branches) lengths.push_back(b.length);
+  for (const ba::Medial_axis_2::Branch& b : branches) lengths.push_back(b.length);
   return lengths;
 }
 
@@ -96,7 +96,7 @@ TEST(AxisBranches, HaveEachLineOfTheAxisOnce) {
       }
     const auto branches = ba::axis_branches(axis, largest);
     std::size_t part = 0;
-    for (const ba::Axis_branch& b : branches) {
+    for (const ba::Medial_axis_2::Branch& b : branches) {
       EXPECT_TRUE(b.part == part || b.part == part + 1);
       part = b.part;
       double length = 0;
@@ -154,7 +154,7 @@ TEST(AxisBranches, ComeLongestFirst) {
   EXPECT_TRUE(std::is_sorted(lengths.rbegin(), lengths.rend()));
   EXPECT_GT(lengths[0], 12);
   std::set<std::pair<double, double>> cut;
-  for (const ba::Axis_branch& b : found) {
+  for (const ba::Medial_axis_2::Branch& b : found) {
     const Point from = b.samples.front().center;
     EXPECT_TRUE(cut.empty() || cut.count({from.x, from.y}) == 1);
     for (const ba::Medial_axis_2::Sample& s : b.samples) cut.insert({s.center.x, s.center.y});

@@ -175,7 +175,7 @@ TEST(NestedCurves, AreNotSeenByNewLeaves) {
   const Medial_axis_2 axis = axis_of(nest), expected = axis_of(outer);
   ASSERT_EQ(axis.status, Status::COMPLETE);
   ASSERT_EQ(axis.left_out, Numbers{1});
-  const ba::Feet_apart apart{1, 0};
+  const ba::Medial_axis_2::Feet_apart apart{1, 0};
   const Medial_axis_2 cut = ba::trimmed(ba::Bounding_arc_tree_2(nest), axis, apart);
   EXPECT_LT(cut.edges[0].samples.size() + cut.edges.back().samples.size(),
             axis.edges[0].samples.size() + axis.edges.back().samples.size());

@@ -88,7 +88,8 @@ Maximal_discs_2::Disc Maximal_discs_2::Boundary::at(const internal::Boundary_pla
   return disc;
 }
 
-std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
+std::optional<Medial_axis_2::Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& curves,
+                                                                    const Medial_axis_2& axis) {
   if (axis.vertices.empty()) return std::nullopt;
   const Medial_axis_2::Vertex* vertex = &axis.vertices.front();
   for (const Medial_axis_2::Vertex& v : axis.vertices)
@@ -102,7 +103,7 @@ std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& 
   const Bracket in_unit = closest_point(internal::bounds_of(axis, curves.in_unit())->segments, point_in(unit, center))
                               ->distance,
                 found = unit.bounds_out(in_unit);
-  return Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
+  return Medial_axis_2::Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -126,7 +126,7 @@ Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
       unit, internal::Axis_pruner(internal::in(unit, std::move(axis)), unit.tolerance_in(significance)).pruned());
 }
 
-Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Feet_apart& apart) {
+Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Medial_axis_2::Feet_apart& apart) {
   constexpr double MOST_ANGLE = 2;
   if (!(apart.angle >= 0 && apart.angle <= MOST_ANGLE))
     throw std::invalid_argument(expected("angle", "a number from 0 to 2", apart.angle));

@@ -39,11 +39,11 @@ namespace {
   return std::move(editor).edited();
 }
 
-[[nodiscard]] std::vector<Thin_stretch> stretches_of(Medial_axis_2 axis) {
+[[nodiscard]] std::vector<Medial_axis_2::Thin_stretch> stretches_of(Medial_axis_2 axis) {
   internal::Axis_editor editor(std::move(axis));
   for (std::size_t v = 0; v < editor.axis().vertices.size(); ++v) editor.pass(v);
   Medial_axis_2 ways = std::move(editor).edited();
-  std::vector<Thin_stretch> result;
+  std::vector<Medial_axis_2::Thin_stretch> result;
   const std::vector<std::size_t> degree = degrees(ways);
   for (std::size_t v = 0; v < degree.size(); ++v)
     if (degree[v] == 0) result.push_back({{internal::disc_of(ways.vertices[v])}, 0, 0});
@@ -60,7 +60,7 @@ namespace {
 
 }  // namespace
 
-std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit, double corner) {
+std::vector<Medial_axis_2::Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit, double corner) {
   constexpr double HALF_TURN = 3.14159265358979323846;
   if (!(limit > 0)) throw std::invalid_argument(expected("limit", "a length above 0", limit));
   if (!(corner > 0 && corner <= HALF_TURN))
@@ -74,17 +74,20 @@ std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit
     size = (std::max)({size, std::fabs(v.center.x) + v.radius, std::fabs(v.center.y) + v.radius});
   const double room = ROOM * size, most = unit.in(limit) / 2;
   scaled = without_corners(std::move(scaled), std::sin((std::max)(corner - SAME, 0.0) / 2), room);
-  std::vector<Thin_stretch> result = stretches_of(internal::with_discs_up_to(most - room, most, std::move(scaled)));
-  for (Thin_stretch& stretch : result) {
+  std::vector<Medial_axis_2::Thin_stretch> result =
+      stretches_of(internal::with_discs_up_to(most - room, most, std::move(scaled)));
+  for (Medial_axis_2::Thin_stretch& stretch : result) {
     stretch.length = unit.out(stretch.length);
     for (Medial_axis_2::Sample& s : stretch.samples) s.center = unit.out(s.center), s.radius = unit.out(s.radius);
   }
   std::stable_sort(result.begin(), result.end(),
-                   [](const Thin_stretch& a, const Thin_stretch& b) { return a.disc().radius < b.disc().radius; });
+                   [](const Medial_axis_2::Thin_stretch& a, const Medial_axis_2::Thin_stretch& b) {
+                     return a.disc().radius < b.disc().radius;
+                   });
   return result;
 }
 
-std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
+std::vector<Medial_axis_2::Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   struct Disc {
     double radius;
     std::size_t edge, sample, steps;
@@ -111,7 +114,7 @@ std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   }
   std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.radius < b.radius; });
 
-  std::vector<Neck> result;
+  std::vector<Medial_axis_2::Neck> result;
   const double least = (std::max)(least_prominence, axis.eps);
   const auto end_pool = [&](std::size_t bottom, double prominence) {
     const Disc& disc = discs[bottom];
@@ -133,8 +136,9 @@ std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   }
   for (std::size_t i = 0; i < discs.size(); ++i)
     if (pools.find_set(i) == i) end_pool(bottom[i], std::numeric_limits<double>::infinity());
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Neck& a, const Neck& b) { return a.disc.radius < b.disc.radius; });
+  std::stable_sort(result.begin(), result.end(), [](const Medial_axis_2::Neck& a, const Medial_axis_2::Neck& b) {
+    return a.disc.radius < b.disc.radius;
+  });
   return result;
 }
 

@@ -73,7 +73,7 @@ class Cell_walk {
     link();
   }
 
-  [[nodiscard]] std::vector<Voronoi_cell> cells() {
+  [[nodiscard]] std::vector<Medial_axis_2::Cell> cells() {
     std::vector<bool> is_done(2 * axis_.edges.size());
     for (std::size_t side = 0; side < is_done.size(); ++side) {
       if (is_done[side]) continue;
@@ -88,7 +88,7 @@ class Cell_walk {
     for (std::size_t i = 0; i < degree.size(); ++i)
       if (degree[i] == 0) add_disc(axis_.vertices[i]);
     std::stable_sort(cells_.begin(), cells_.end(),
-                     [](const Voronoi_cell& a, const Voronoi_cell& b) { return a.curve < b.curve; });
+                     [](const Medial_axis_2::Cell& a, const Medial_axis_2::Cell& b) { return a.curve < b.curve; });
     return std::move(cells_);
   }
 
@@ -187,7 +187,7 @@ class Cell_walk {
         cells_.back().first = l.from;
         cells_.back().is_whole = is_whole;
       }
-      Voronoi_cell& cell = cells_.back();
+      Medial_axis_2::Cell& cell = cells_.back();
       if (directions[i] != 0) cell.is_reversed = directions[i] < 0;
       cell.last = l.to;
       const std::size_t number = l.side / 2, from = sample(l.side, l.first), to = sample(l.side, l.first + 1);
@@ -205,7 +205,7 @@ class Cell_walk {
   Foot_runs runs_;
   const Medial_axis_2& axis_;
   std::vector<std::size_t> next_;  // side 2i is the right one of edge i, 2i + 1 the left one
-  std::vector<Voronoi_cell> cells_;
+  std::vector<Medial_axis_2::Cell> cells_;
 };
 
 }  // namespace
@@ -214,13 +214,13 @@ class Cell_walk {
 
 namespace CGAL::Bounding_arcs {
 
-std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis) {
+std::vector<Medial_axis_2::Cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis) {
   const auto bounds = internal::bounds_of(axis, tree.in_unit());
   return internal::Cell_walk(*bounds, internal::in(tree.unit(), axis)).cells();
 }
 
 std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                     const Voronoi_cell& cell, int per_piece) {
+                                     const Medial_axis_2::Cell& cell, int per_piece) {
   const internal::Places places(tree.in_unit());
   const Unit& unit = tree.unit();
   const std::uint32_t n = places.count(cell.curve);

@@ -73,14 +73,14 @@ Drawing_2<double> drawing_of(const Offset& offset) {
   return drawing;
 }
 
-std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
+std::optional<Offset::Error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
   const Bounding_arc_tree_2 chains(drawing_of(offset), Decisions::DOUBLE);
   const double d = std::fabs(offset.distance);
   const auto most = directed_hausdorff_distance(chains, curves, eps);
   if (!most) return std::nullopt;
   const auto least = distance(chains, curves, eps);
-  return Offset_error{{least->distance.lower - d, least->distance.upper - d},
-                      {most->distance.lower - d, most->distance.upper - d}};
+  return Offset::Error{{least->distance.lower - d, least->distance.upper - d},
+                       {most->distance.lower - d, most->distance.upper - d}};
 }
 
 std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps, const Offset::Options& options) {

@@ -13,7 +13,7 @@
 #define BOUNDING_ARCS_LIBRARY_SPIRAL_LOCAL_CURVE_H
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/Tabulated_bezier.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Stored_local_curve.h>
 
 #include <algorithm>
 #include <cmath>

@@ -75,14 +75,14 @@ void draw_curves(std::ostream& out, const Found_thickness& found, const View& vi
 }
 // A stretch that is one disc is a dot.
 void draw_stretches(std::ostream& out, const Found_thickness& found, const View& view) {
-  for (const ba::Thin_stretch& stretch : found.stretches) {
+  for (const ba::Medial_axis_2::Thin_stretch& stretch : found.stretches) {
     out << "<path class=\"t\" d=\"M" << view(stretch.samples.front().center);
     for (const ba::Medial_axis_2::Sample& s : stretch.samples) out << "L" << view(s.center);
     out << "\"><title>" << short_number(stretch.thickness()) << "</title></path>\n";
   }
 }
 void draw_necks(std::ostream& out, const Found_thickness& found, const View& view) {
-  for (const ba::Neck& neck : found.necks)
+  for (const ba::Medial_axis_2::Neck& neck : found.necks)
     out << "<path class=\"n\" d=\"M" << view(point_of(found, neck.disc.left)) << "L" << view(neck.disc.center) << "L"
         << view(point_of(found, neck.disc.right)) << "\"><title>" << short_number(neck.thickness())
         << "</title></path>\n";

@@ -99,7 +99,8 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   const Bounding_arc_tree_2& curves = *loaded.curves;
   if (words.with_cells && !words.is_framed) expect_no_crossing(loaded, "medial-axis");
   if (words.is_proving) found.proof = ba::axis_certificate(curves, axis);
-  if (words.prune_angle > 0) axis = ba::trimmed(curves, std::move(axis), ba::Feet_apart{words.prune_angle * DEGREE, 0});
+  if (words.prune_angle > 0)
+    axis = ba::trimmed(curves, std::move(axis), ba::Medial_axis_2::Feet_apart{words.prune_angle * DEGREE, 0});
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
   if (words.with_conics) found.conics = ba::axis_conics(curves, axis, axis.eps);
   return found;

@@ -115,7 +115,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
     if (words.with_conics) {
       out << ",\"conics\":[";
       write_list(out, found.conics[static_cast<std::size_t>(&e - axis.edges.data())], ",",
-                 [&](const ba::Axis_conic& conic) {
+                 [&](const ba::Medial_axis_2::Conic& conic) {
                    out << "{\"control_points\":[";
                    write_list(out, conic.points, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
                    out << "],\"weights\":[1," << number(conic.weight) << ",1],\"error\":" << number(conic.error) << "}";

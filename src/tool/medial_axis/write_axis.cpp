@@ -20,8 +20,8 @@ void add_lines(std::vector<Written_piece>& pieces, const ba::Medial_axis_2::Edge
 }
 
 // Conics begin and end at samples.
-void add_conic(std::vector<Written_piece>& pieces, const ba::Axis_conic& conic, const ba::Medial_axis_2::Edge& edge,
-               bool is_for_svg) {
+void add_conic(std::vector<Written_piece>& pieces, const ba::Medial_axis_2::Conic& conic,
+               const ba::Medial_axis_2::Edge& edge, bool is_for_svg) {
   const auto& p = conic.points;
   const bool is_line = cross(p[1] - p[0], p[2] - p[0]) == 0;
   const Written_piece piece = is_line ? Written_piece(Arc_2{p[0], p[2], 0})
@@ -50,7 +50,7 @@ Written_drawing written_axis(const Found_axis& found, const Query_drawing& loade
     Written_curve curve{"edge_" + std::to_string(i), {"medial_axis", {}}, {}};
     if (found.conics.empty()) add_lines(curve.pieces, edge, 0, edge.samples.size() - 1);
     else
-      for (const ba::Axis_conic& conic : found.conics[i]) add_conic(curve.pieces, conic, edge, is_for_svg);
+      for (const ba::Medial_axis_2::Conic& conic : found.conics[i]) add_conic(curve.pieces, conic, edge, is_for_svg);
     drawing.curves.push_back(std::move(curve));
   }
   return drawing;

@@ -32,7 +32,7 @@ Json json_of_disc(const Found_thickness& found, const ba::Medial_axis_2::Sample&
   }
   return record;
 }
-Json json_of_stretch(const Found_thickness& found, const ba::Thin_stretch& stretch) {
+Json json_of_stretch(const Found_thickness& found, const ba::Medial_axis_2::Thin_stretch& stretch) {
   Json record = json_of_disc(found, stretch.disc());
   record["length"] = stretch.length;
   record["from"] = json_of(stretch.samples.front().center);
@@ -57,7 +57,7 @@ Xy<double> point_of(const Found_thickness& found, const Curve_place& of_axis) {
   return found.loaded.curves->drawing().curves()[p.curve].beziers[p.bezier].point(p.t);
 }
 
-bool is_on(const ba::Neck& neck, const ba::Thin_stretch& stretch) {
+bool is_on(const ba::Medial_axis_2::Neck& neck, const ba::Medial_axis_2::Thin_stretch& stretch) {
   return std::any_of(stretch.samples.begin(), stretch.samples.end(),
                      [&](const ba::Medial_axis_2::Sample& s) { return s.center == neck.disc.center; });
 }
@@ -77,11 +77,11 @@ void write_thickness_json(std::ostream& out, const Found_thickness& found) {
   if (found.has_limit()) {
     document["below"] = found.below;
     document["stretches"] = Json::array();
-    for (const ba::Thin_stretch& stretch : found.stretches)
+    for (const ba::Medial_axis_2::Thin_stretch& stretch : found.stretches)
       document["stretches"].push_back(json_of_stretch(found, stretch));
   }
   document["necks"] = Json::array();
-  for (const ba::Neck& neck : found.necks) {
+  for (const ba::Medial_axis_2::Neck& neck : found.necks) {
     Json record = json_of_disc(found, neck.disc);
     if (std::isfinite(neck.prominence)) record["prominence"] = 2 * neck.prominence;
     document["necks"].push_back(record);
@@ -100,19 +100,19 @@ void write_thickness_csv(std::ostream& out, const Found_thickness& found) {
     return fields;
   };
   if (!found.has_limit()) {
-    for (const ba::Neck& n : found.necks) table.rows.push_back(row(n.disc));
+    for (const ba::Medial_axis_2::Neck& n : found.necks) table.rows.push_back(row(n.disc));
     return write_csv(out, table);
   }
   for (const char* column : {"length", "x_from", "y_from", "x_to", "y_to", "curve1", "curve2", "necks"})
     table.columns.push_back(column);
-  for (const ba::Thin_stretch& s : found.stretches) {
+  for (const ba::Medial_axis_2::Thin_stretch& s : found.stretches) {
     table.rows.push_back(row(s.disc()));
     const Xy<double> from = s.samples.front().center, to = s.samples.back().center;
     for (const double x : {s.length, from.x, from.y, to.x, to.y}) table.rows.back().push_back(digits(x));
     for (const Curve_place& p : {s.disc().left, s.disc().right})
       table.rows.back().push_back(std::to_string(number_of(found, p)));
-    table.rows.back().push_back(std::to_string(
-        std::count_if(found.necks.begin(), found.necks.end(), [&](const ba::Neck& neck) { return is_on(neck, s); })));
+    table.rows.back().push_back(std::to_string(std::count_if(
+        found.necks.begin(), found.necks.end(), [&](const ba::Medial_axis_2::Neck& neck) { return is_on(neck, s); })));
   }
   write_csv(out, table);
 }

@@ -25,7 +25,7 @@ namespace ba = CGAL::Bounding_arcs;
 std::vector<Tool_pass> branches_of(const ba::Medial_axis_2& axis, const V_bit& bit) {
   std::vector<Tool_pass> passes;
   std::vector<std::size_t> parts;
-  for (const ba::Axis_branch& branch : ba::axis_branches(axis, bit.largest())) {
+  for (const ba::Medial_axis_2::Branch& branch : ba::axis_branches(axis, bit.largest())) {
     Tool_pass pass{"carve"};
     const auto height = [&](const ba::Medial_axis_2::Sample& s) {
       return 0 - (std::min)(s.radius * bit.depth, bit.most);

@@ -98,6 +98,36 @@ struct Medial_axis_2 {
         false;  ///< the last curve is a frame: all points in it are inside, other curves are walls and may cross
   };
 
+  /// A way between two points (medial_axis.h).
+  /// \code
+  /// const auto path = clearance_path(closed, axis, {0.1, 0}, {-0.1, 0});
+  /// if (path) std::cout << "a disc of radius " << path->bottleneck << " gets through\n";
+  /// \endcode
+  struct Path {
+    /// A corner of the way.
+    struct Station {
+      Xy<double> point;
+      double clearance;  ///< from the curves but those of the axis's left_out
+    };
+    std::vector<Station> stations;  ///< from one point to the other one, in straight lines
+    double bottleneck = 0;          ///< the least clearance
+    double length = 0;
+
+    /// Writes a line for each station: its point and clearance.
+    friend std::ostream& operator<<(std::ostream& out, const Path& path) {
+      for (const Station& s : path.stations) out << s.point << ' ' << s.clearance << '\n';
+      return out;
+    }
+  };
+
+  struct Branch;          ///< a long way along edges, axis_branches.h
+  struct Conic;           ///< a part of an edge as a conic, axis_conics.h
+  struct Cell;            ///< the places that are nearest to a curve, voronoi_cells.h
+  struct Thin_stretch;    ///< a way along which a shape is thin, thin_places.h
+  struct Neck;            ///< a narrowest place, thin_places.h
+  struct Inscribed_disc;  ///< the largest disc, maximal_disc.h
+  struct Feet_apart;      ///< what trimmed() leaves, pruned.h
+
   Status status = Status::COMPLETE;
   std::size_t regions = 0;  ///< connected ones
   std::size_t holes = 0;    ///< of all regions together: vertices - edges = regions - holes
@@ -126,28 +156,6 @@ struct Medial_axis_2 {
   /// Writes a line for each sample of each edge, and an empty line behind the edge.
   friend std::ostream& operator<<(std::ostream& out, const Medial_axis_2& all) {
     for (const Edge& one : all.edges) out << one << '\n';
-    return out;
-  }
-};
-
-/// A way between two points (medial_axis.h).
-/// \code
-/// const auto path = clearance_path(closed, axis, {0.1, 0}, {-0.1, 0});
-/// if (path) std::cout << "a disc of radius " << path->bottleneck << " gets through\n";
-/// \endcode
-struct Clearance_path {
-  /// A corner of the way.
-  struct Station {
-    Xy<double> point;
-    double clearance;  ///< from the curves but those of the axis's left_out
-  };
-  std::vector<Station> stations;  ///< from one point to the other one, in straight lines
-  double bottleneck = 0;          ///< the least clearance
-  double length = 0;
-
-  /// Writes a line for each station: its point and clearance.
-  friend std::ostream& operator<<(std::ostream& out, const Clearance_path& path) {
-    for (const Station& s : path.stations) out << s.point << ' ' << s.clearance << '\n';
     return out;
   }
 };

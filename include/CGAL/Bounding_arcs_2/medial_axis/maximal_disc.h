@@ -56,7 +56,7 @@ class Maximal_discs_2 {
 /// \code
 /// if (const auto disc = largest_inscribed_disc(closed, axis)) std::cout << disc->radius.lower << '\n';
 /// \endcode
-struct Inscribed_disc {
+struct Medial_axis_2::Inscribed_disc {
   Xy<double> center;
   Bracket radius{};
 
@@ -71,8 +71,8 @@ struct Inscribed_disc {
 /// \guarantee the disc with radius.lower about the center is certified to have no curve in it; that none is larger than
 ///   radius.upper is as good as the axis
 /// \complexity linear in the samples
-[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& tree,
-                                                                   const Medial_axis_2& axis);
+[[nodiscard]] std::optional<Medial_axis_2::Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& tree,
+                                                                                  const Medial_axis_2& axis);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -115,8 +115,9 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
 ///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
 /// \throws std::invalid_argument for a point that is no number
 /// \complexity n log n in the samples
-[[nodiscard]] std::optional<Clearance_path> clearance_path(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                                           const Asked_point& from, const Asked_point& to);
+[[nodiscard]] std::optional<Medial_axis_2::Path> clearance_path(const Bounding_arc_tree_2& tree,
+                                                                const Medial_axis_2& axis, const Asked_point& from,
+                                                                const Asked_point& to);
 
 }  // namespace CGAL::Bounding_arcs
 

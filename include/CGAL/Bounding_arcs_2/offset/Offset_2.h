@@ -112,6 +112,8 @@ struct Offset {
     UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
   };
 
+  struct Error;  ///< how far points are from where they should be, offset_bracket.h
+
   double distance = 0;
   std::vector<Chain> chains;
   double error = 0;  ///< points of round pieces are at |d| +- error from the curves, or what of them bounds
