@@ -172,7 +172,7 @@ function spans(text,    result, code, word, stem) {
     result = result substr(text, 1, RSTART - 1)
     code = substr(text, RSTART + 1, RLENGTH - 2)
     text = substr(text, RSTART + RLENGTH)
-    word = match(code, /^([a-z]+::)?[A-Z][A-Za-z0-9_]*(::[a-z0-9_]+)?/) ? substr(code, 1, RLENGTH) : ""
+    word = match(code, /^([a-z]+::)?[A-Z][A-Za-z0-9_]*(::[A-Za-z0-9_]+)*/) ? substr(code, 1, RLENGTH) : ""
     stem = word
     sub(/^[a-z]+::/, "", stem)
     sub(/::.*/, "", stem)

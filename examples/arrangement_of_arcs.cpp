@@ -22,7 +22,7 @@ int main() {
   for (const auto* curve : {&loop, &wave}) {
     const Arc_chain chain = arc_chain(Bounding_arc_tree_2(*curve), 1e-3);
     std::cout << chain.arcs.size() << " arcs within " << chain.error << "\n";
-    for (const Chain_arc_2& arc : chain.arcs) curves.push_back(circle_segment_curve(arc));
+    for (const Arc_chain::Arc& arc : chain.arcs) curves.push_back(circle_segment_curve(arc));
   }
   CGAL::Arrangement_2<Traits> arrangement;
   insert(arrangement, curves.begin(), curves.end());

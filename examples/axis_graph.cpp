@@ -30,9 +30,10 @@ int main() {
     if (degree(v, graph) > 2) branches.push_back(v);
   const std::size_t from = branches.front(), to = branches.back();
   std::vector<double> length(num_vertices(graph)), room(num_vertices(graph));
-  dijkstra_shortest_paths(graph, from, weight_map(get(&Medial_graph_edge::length, graph)).distance_map(length.data()));
   dijkstra_shortest_paths(graph, from,
-                          weight_map(get(&Medial_graph_edge::least_clearance, graph))
+                          weight_map(get(&Medial_graph::edge_bundled::length, graph)).distance_map(length.data()));
+  dijkstra_shortest_paths(graph, from,
+                          weight_map(get(&Medial_graph::edge_bundled::least_clearance, graph))
                               .distance_map(room.data())
                               .distance_compare(std::greater<>())
                               .distance_combine([](double a, double b) { return std::min(a, b); })

@@ -19,8 +19,8 @@ int main() {
            "hole");
   const Bounding_arc_tree_2 a(plate), b(hole);
   const Outline_2 rest = difference(a, b);
-  for (const Outline_chain& chain : rest.chains)
-    for (const Outline_part& part : chain.parts)
+  for (const Outline_2::Chain& chain : rest.chains)
+    for (const Outline_2::Part& part : chain.parts)
       std::cout << "from (" << part.start.x << ", " << part.start.y << ") along "
                 << (part.operand == 0 ? "plate" : "hole") << " piece " << part.bezier
                 << (part.is_reversed ? " backwards" : "") << " to (" << part.end.x << ", " << part.end.y << ")\n";

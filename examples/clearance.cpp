@@ -17,11 +17,11 @@ int main() {
   obstacles.add(Bezier_curve_2<double>({{0, 0}, {3, 6}, {6, -6}, {9, 0}}), "wall");
   obstacles.add(Bezier_curve_2<double>({{4.5, 1}, {9, 5}, {0, 5}, {4.5, 1}}), "drop");
   const Bounding_arc_tree_2 tree(framed(obstacles, 2.0));
-  Medial_axis_options options;
+  Medial_axis_2::Options options;
   options.is_framed = true;
   const Medial_axis_2 voronoi = medial_axis(tree, 1e-5, options);
   std::size_t between = 0;
-  for (const Medial_edge& e : voronoi.edges) between += !touches(e, obstacles.curves().size());
+  for (const Medial_axis_2::Edge& e : voronoi.edges) between += !touches(e, obstacles.curves().size());
   std::printf("%zu edges, %zu of them between obstacles\n", voronoi.edges.size(), between);
 
   const auto path = clearance_path(tree, voronoi, {1.0, 3.5}, {8.0, 3.0});

@@ -18,7 +18,7 @@ int main() {
                  Curve({{-r, 0}, {-r, -r}, {0, -r}}, {1, 1, 2}), Curve({{0, -r}, {r, -r}, {r, 0}}, {2, 1, 1})});
   for (const double y : {-2.0, 0.0, 2.0, 3.0}) lines.add({Curve({{-4, y}, {4, y}})});
   const Bounding_arc_tree_2 hatching(lines), ring(circles);
-  for (const Clipped_part& part : clip(hatching, ring, Fill_rule::EVEN_ODD).parts)
+  for (const Clipped_2::Part& part : clip(hatching, ring, Fill_rule::EVEN_ODD).parts)
     if (part.side == CGAL::ON_BOUNDED_SIDE)
       std::cout << "line " << part.curve << ": from x = " << part.start.x << " to " << part.end.x << '\n';
 }

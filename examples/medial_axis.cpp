@@ -17,13 +17,13 @@ int main() {
                Bezier_curve_2<double>({{1, 3}, {0.5, 4}})},
               "a triangle");
   const Bounding_arc_tree_2 tree(drawing);
-  Medial_axis_options options;
+  Medial_axis_2::Options options;
   options.rule = Fill_rule::EVEN_ODD;
   const Medial_axis_2 axis = medial_axis(tree, 1e-5, options);
   std::printf("%zu vertices, %zu edges, %zu hole\n", axis.vertices.size(), axis.edges.size(), axis.holes);
   const auto degree = degrees(axis);
   for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
-    const Medial_vertex& v = axis.vertices[i];
+    const Medial_axis_2::Vertex& v = axis.vertices[i];
     std::printf("%s about (%.4f, %.4f), radius %.4f, touches", degree[i] == 1 ? "end" : "branch", v.center.x,
                 v.center.y, v.radius);
     for (const Curve_place& p : v.touches)

@@ -15,10 +15,10 @@ namespace {
 
 void write(const Offset& offset) {
   std::printf("<path stroke=\"%s\" d=\"", offset.distance < 0 ? "#d55e00" : offset.distance > 0 ? "#0072b2" : "#888");
-  for (const Offset_chain& chain : offset.chains) {
+  for (const Offset::Chain& chain : offset.chains) {
     const Xy<double>& start = chain.pieces.front().arc.from;
     std::printf("M%.2f %.2f", start.x, start.y);
-    for (const Offset_piece& piece : chain.pieces) {
+    for (const Offset::Piece& piece : chain.pieces) {
       const Arc_2& arc = piece.arc;
       if (arc.bulge == 0) {
         std::printf("L%.2f %.2f", arc.to.x, arc.to.y);
@@ -40,7 +40,7 @@ int main() {
                Bezier_curve_2<double>({{40, 30}, {20, 10}, {0, 30}}), Bezier_curve_2<double>({{0, 30}, {0, 0}})});
   drawing.add(
       {Bezier_curve_2<double>({{14, 6}, {14, 12}, {22, 12}, {22, 6}}), Bezier_curve_2<double>({{22, 6}, {14, 6}})});
-  Offset_options options;
+  Offset::Options options;
   options.rule = Fill_rule::EVEN_ODD;
   const Offset_source_2 source(Bounding_arc_tree_2(drawing), 0.05, options);  // once, for any number of distances
   std::printf(

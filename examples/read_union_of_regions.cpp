@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/exchange/polygon_area.h>
+#include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>
 
 #include <CGAL/General_polygon_set_2.h>
 

@@ -23,8 +23,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_branches.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
@@ -36,11 +34,10 @@
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/query/closest_on_regions.h>
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>

@@ -66,15 +66,15 @@ Input_error::Input_error(const std::string& file, const std::string& place, cons
     : std::runtime_error(tool::one_line(file, std::string::npos) + ": " + tool::one_line(place, LONGEST_PLACE) + ": " +
                          tool::one_line(reason, LONGEST_REASON)) {}
 
-std::string text_of(const Reading_note& note) {
+std::string text_of(const Curve_file::Note& note) {
   return std::to_string(note.count) + ' ' + note.what + (note.reason.empty() ? "" : ": " + note.reason);
 }
 
-std::string text_of(const std::vector<Reading_note>& notes) {
+std::string text_of(const std::vector<Curve_file::Note>& notes) {
   std::string text;
   for (const bool is_read : {false, true}) {
     const char* between = is_read ? "read all the same: " : "left out: ";
-    for (const Reading_note& note : notes) {
+    for (const Curve_file::Note& note : notes) {
       if (note.is_read != is_read) continue;
       text += (text.empty() || *between == ';' ? "" : "; ") + std::string(between) + text_of(note);
       between = "; ";
@@ -84,7 +84,7 @@ std::string text_of(const std::vector<Reading_note>& notes) {
 }
 
 Curve_file read_curve_file_from_text(const std::string& text, const std::string& file, const std::string& stem,
-                                     const Reading_options& options) {
+                                     const Curve_file::Options& options) {
   if (starts_with(text, UTF16_MARK) || starts_with(text, UTF16_SWAPPED_MARK))
     throw Input_error(file, "line 1, column 1", "expected UTF-8, found a UTF-16 byte order mark");
   const std::size_t start = starts_with(text, UTF8_MARK) ? UTF8_MARK.size() : 0;
@@ -99,7 +99,7 @@ Curve_file read_curve_file_from_text(const std::string& text, const std::string&
   return read;
 }
 
-Curve_file read_curve_file(const std::string& path, const Reading_options& options) {
+Curve_file read_curve_file(const std::string& path, const Curve_file::Options& options) {
   const std::string text = tool::file_contents(path);
   const bool is_stdin = path == "-";
   return read_curve_file_from_text(text, is_stdin ? "stdin" : path,

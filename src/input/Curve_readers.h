@@ -18,8 +18,6 @@ namespace bounding_arcs_tool {
 using CGAL::Bounding_arcs::Curve_file;
 using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::Input_error;
-using CGAL::Bounding_arcs::Reading_note;
-using CGAL::Bounding_arcs::Reading_options;
 
 /// The curves of a JSON text: one object, or {"curves": [...]}, which may be none.
 ///
@@ -66,7 +64,7 @@ using CGAL::Bounding_arcs::Reading_options;
 /// \throws Input_error for XML that is not well-formed, for more than a million elements and pieces that use
 /// elements add, and without a curve: then for the first error of an element, if there is one
 [[nodiscard]] Curve_file read_svg_curves(const std::string& text, const std::string& file,
-                                         const Reading_options& options);
+                                         const Curve_file::Options& options);
 
 /// The curves of a DXF text: one record of type PATH an entity, in document order.
 ///
@@ -81,7 +79,7 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * What blocks have counts where they are inserted, each entity once.
 /// \throws Input_error for a text that is not made of groups, for more than a million entities, and without a curve
 [[nodiscard]] Curve_file read_dxf_curves(std::string_view text, const std::string& file,
-                                         const Reading_options& options);
+                                         const Curve_file::Options& options);
 
 }  // namespace bounding_arcs_tool
 

@@ -18,7 +18,7 @@ namespace bounding_arcs_tool {
 
 using CGAL::Bounding_arcs::b_spline;
 using CGAL::Bounding_arcs::bezier_pieces;
-using CGAL::Bounding_arcs::Curve_colour;
+using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::text_of;
 using CGAL::Bounding_arcs::Xy;
 
@@ -72,7 +72,7 @@ const char* read_truth(const json& value, bool& truth) {
   return nullptr;
 }
 
-const char* read_colour(const json& value, Curve_colour& colour) {
+const char* read_colour(const json& value, Curve_record::Colour& colour) {
   constexpr const char* A_COLOUR = R"(a colour: a number from 1 to 255, or "#rrggbb")";
   const double x = number_of(value);
   if (x >= 1 && x <= 255 && x == std::floor(x)) {

@@ -167,9 +167,9 @@ double Svg_element::root_unit_in_mm() const {
   return ratio.kind == Aspect_ratio::MEET ? (std::min)(x, y) : (std::max)(x, y);
 }
 
-std::optional<CGAL::Bounding_arcs::Page> Svg_element::root_page() const {
+std::optional<CGAL::Bounding_arcs::Curve_file::Page> Svg_element::root_page() const {
   const auto text = [&](const char* attribute) { return std::string(node_.attribute(attribute).value()); };
-  CGAL::Bounding_arcs::Page page;
+  CGAL::Bounding_arcs::Curve_file::Page page;
   page.shown_width = text("width");
   page.shown_height = text("height");
   page.aspect_ratio = text("preserveAspectRatio");

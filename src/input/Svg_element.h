@@ -67,7 +67,7 @@ class Svg_element {
   [[nodiscard]] double root_unit_in_mm() const;
 
   /// What the root element shows; nothing where it tells neither a viewBox nor a width and height.
-  [[nodiscard]] std::optional<CGAL::Bounding_arcs::Page> root_page() const;
+  [[nodiscard]] std::optional<CGAL::Bounding_arcs::Curve_file::Page> root_page() const;
 
   /// parse(value) of an attribute, with its name put into an Svg_error.
   template <class Parse> auto parsed(const char* attribute, Parse parse) const {

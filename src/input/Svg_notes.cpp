@@ -16,8 +16,8 @@ constexpr std::size_t LONGEST_DETAIL = 400;
 
 }  // namespace
 
-std::vector<CGAL::Bounding_arcs::Reading_note> Svg_notes::notes() const {
-  std::vector<CGAL::Bounding_arcs::Reading_note> result;
+std::vector<CGAL::Bounding_arcs::Curve_file::Note> Svg_notes::notes() const {
+  std::vector<CGAL::Bounding_arcs::Curve_file::Note> result;
   for (const Entry& entry : notes_) {
     result.push_back(entry.note);
     if (entry.first.empty()) continue;

@@ -43,11 +43,11 @@ class Svg_notes {
     ++notes_[place - 1].note.count;
   }
 
-  [[nodiscard]] std::vector<CGAL::Bounding_arcs::Reading_note> notes() const;
+  [[nodiscard]] std::vector<CGAL::Bounding_arcs::Curve_file::Note> notes() const;
 
  private:
   struct Entry {
-    CGAL::Bounding_arcs::Reading_note note;
+    CGAL::Bounding_arcs::Curve_file::Note note;
     std::string first;  // what is said of the first one
   };
   std::vector<Entry> notes_;

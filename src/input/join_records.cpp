@@ -59,7 +59,7 @@ Joined_curves join_records(std::vector<Curve_record>& records, double eps, bool 
   std::vector<bool> is_first(records.size(), true);
   for (std::size_t k = 0; k < joined.parts.size(); ++k) {
     std::size_t first = records.size();
-    for (Joined_part& p : joined.parts[k]) {
+    for (Joined_curves::Part& p : joined.parts[k]) {
       p.curve = part.numbers[p.curve];
       is_first[p.curve] = false;
       first = (std::min)(first, p.curve);
@@ -68,7 +68,7 @@ Joined_curves join_records(std::vector<Curve_record>& records, double eps, bool 
     joined_at[first] = k;
   }
   std::vector<Curve_record> result;
-  std::vector<std::vector<Joined_part>> parts;
+  std::vector<std::vector<Joined_curves::Part>> parts;
   std::vector<bool> is_joined(joined.parts.size());
   for (const std::size_t k : joined.joined) is_joined[k] = true;
   std::vector<std::size_t> numbers_of_joined;

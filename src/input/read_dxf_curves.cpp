@@ -29,7 +29,7 @@
 namespace bounding_arcs_tool {
 namespace {
 
-using CGAL::Bounding_arcs::Curve_colour;
+using CGAL::Bounding_arcs::Curve_record;
 
 // Keeps what insertions make of a small file within a megabyte of stack and some hundred megabytes.
 constexpr std::size_t MAXIMUM_BLOCK_NESTING = 64, MAXIMUM_ENTITIES = 1000000;
@@ -45,7 +45,7 @@ class Dxf_notes {
     ++notes[place->second].count;
   }
 
-  std::vector<Reading_note> notes;
+  std::vector<Curve_file::Note> notes;
 
  private:
   std::set<const Dxf_entity*> entities_;
@@ -88,14 +88,14 @@ class Known_curves {
 // Makes records of entities, those of inserted blocks where they come to stand.
 class Dxf_expansion {
  public:
-  Dxf_expansion(const Dxf_contents& contents, const Reading_options& options, std::string file)
+  Dxf_expansion(const Dxf_contents& contents, const Curve_file::Options& options, std::string file)
       : contents_(contents), options_(options), file_(std::move(file)) {}
 
   // What is drawn takes of what is around it: nothing, or the insertion of a block.
   struct Around {
     Svg_transform transform;
     std::string layer;
-    Curve_colour colour;
+    Curve_record::Colour colour;
   };
 
   void visit(const Dxf_block& block, const Around& around) {
@@ -152,12 +152,13 @@ class Dxf_expansion {
   }
 
   // What is by block outside of one is as a CAD program shows what has no colour.
-  [[nodiscard]] Curve_colour seen_colour(const Dxf_colour& colour, const std::string& layer,
-                                         const Curve_colour& of_block) const {
+  [[nodiscard]] Curve_record::Colour seen_colour(const Dxf_colour& colour, const std::string& layer,
+                                                 const Curve_record::Colour& of_block) const {
     constexpr int BLACK_OR_WHITE = 7;
     if (colour.rgb >= 0 || (colour.number != Dxf_colour::BY_LAYER && colour.number != Dxf_colour::BY_BLOCK))
       return {colour.number % Dxf_colour::BY_LAYER, colour.rgb};
-    if (colour.number == Dxf_colour::BY_BLOCK) return inserted_.empty() ? Curve_colour{BLACK_OR_WHITE, -1} : of_block;
+    if (colour.number == Dxf_colour::BY_BLOCK)
+      return inserted_.empty() ? Curve_record::Colour{BLACK_OR_WHITE, -1} : of_block;
     const auto found = contents_.layers.find(dxf_key(layer));
     if (found == contents_.layers.end()) return {BLACK_OR_WHITE, -1};
     const Dxf_colour& of_layer = found->second.colour;
@@ -274,7 +275,7 @@ class Dxf_expansion {
   }
 
   const Dxf_contents& contents_;
-  const Reading_options& options_;
+  const Curve_file::Options& options_;
   std::string file_;
   Dxf_notes notes_;
   std::vector<const Dxf_block*> inserted_;  // the blocks that are open, the outermost first
@@ -288,7 +289,7 @@ class Dxf_expansion {
 
 }  // namespace
 
-Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Reading_options& options) {
+Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Curve_file::Options& options) {
   const std::optional<std::string> in_utf8 = dxf_as_utf8(text);
   const Dxf_contents contents = dxf_contents(in_utf8 ? *in_utf8 : text, file);
   Dxf_expansion expansion(contents, options, file);

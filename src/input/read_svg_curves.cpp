@@ -77,7 +77,7 @@ struct Surroundings {
 
 class Svg_reader {
  public:
-  Svg_reader(const std::string& text, const std::string& file, const Reading_options& options)
+  Svg_reader(const std::string& text, const std::string& file, const Curve_file::Options& options)
       : document_(text, file, notes_), options_(options) {}
 
   Curve_file read() {
@@ -177,7 +177,7 @@ class Svg_reader {
 
   [[noreturn]] void fail_without_curve(const Svg_element& root) const {
     if (first_error_) throw Input_error(*first_error_);
-    const std::vector<Reading_note> notes = notes_.notes();
+    const std::vector<Curve_file::Note> notes = notes_.notes();
     document_.fail(root, "no curve in the drawing" + (notes.empty() ? "" : "; " + text_of(notes)));
   }
 
@@ -266,7 +266,7 @@ class Svg_reader {
 
   Svg_notes notes_;
   Svg_document document_;
-  Reading_options options_;
+  Curve_file::Options options_;
   Svg_fill_rules rules_;
   std::optional<Input_error> first_error_;
   std::vector<pugi::xml_node> around_;  // the elements down to the current place, the root first
@@ -277,7 +277,7 @@ class Svg_reader {
 
 }  // namespace
 
-Curve_file read_svg_curves(const std::string& text, const std::string& file, const Reading_options& options) {
+Curve_file read_svg_curves(const std::string& text, const std::string& file, const Curve_file::Options& options) {
   if (text.size() > MAXIMUM_SVG_SIZE)
     throw Input_error(file, "file",
                       "expected at most " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes of SVG, found more");

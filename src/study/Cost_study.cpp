@@ -38,7 +38,7 @@ using Rational_kernel =
     CGAL::Circular_kernel_2<CGAL::Simple_cartesian<Exact>, CGAL::Algebraic_kernel_for_circles_2_2<Exact>>;
 
 [[nodiscard]] static std::size_t length_in_bits(const Exact& x) {
-  const auto* q = rational_data(x);
+  const auto* q = internal::rational_data(x);
   return (std::max)(mpz_sizeinbase(mpq_numref(q), 2), mpz_sizeinbase(mpq_denref(q), 2));
 }
 

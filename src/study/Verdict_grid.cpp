@@ -22,7 +22,7 @@ template <class NT> [[nodiscard]] Xy<NT> in(const Xy<double>& p) { return {NT(p.
 // The sign of a number that doubles with a bound tell, or rationals.
 template <class Number> [[nodiscard]] int filtered_sign(const Number& number) {
   const Bounded_double rounded = number(Bounded_double());
-  return is_signed(rounded) ? sign_of(rounded.value()) : sign_of(number(CGAL::Exact_rational()));
+  return internal::is_signed(rounded) ? sign_of(rounded.value()) : sign_of(number(CGAL::Exact_rational()));
 }
 
 [[nodiscard]] static int naive_side(const Verdict_arc& arc, const Xy<double>& q) {

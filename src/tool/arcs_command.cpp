@@ -54,21 +54,23 @@ bool is_counterclockwise(const Fitted_curve& curve) {
   return area >= 0;
 }
 
-ba::Arc_chain_options chain_options(const Fitted_curve& curve, const Arcs_options& options) {
-  ba::Arc_chain_options result;
-  result.continuity = options.continuity == "tangent" ? ba::Continuity::TANGENT : ba::Continuity::POSITION;
+ba::Arc_chain::Options chain_options(const Fitted_curve& curve, const Arcs_options& options) {
+  ba::Arc_chain::Options result;
+  result.continuity =
+      options.continuity == "tangent" ? ba::Arc_chain::Continuity::TANGENT : ba::Arc_chain::Continuity::POSITION;
   result.max_arcs = options.max_arcs;
   if (options.side != "two")
-    result.side =
-        (options.side == "inner") == is_counterclockwise(curve) ? ba::Chain_side::LEFT : ba::Chain_side::RIGHT;
+    result.side = (options.side == "inner") == is_counterclockwise(curve) ? ba::Arc_chain::Side::LEFT
+                                                                          : ba::Arc_chain::Side::RIGHT;
   return result;
 }
 
 using Spirals = std::vector<ba::Bezier_spiral_2<double>>;
 
-double least_number(const Spirals& spirals, double eps, const ba::Arc_chain_options& options) {
+double least_number(const Spirals& spirals, double eps, const ba::Arc_chain::Options& options) {
   namespace factor = ba::cubic_factor;
-  const bool tangent = options.continuity == ba::Continuity::TANGENT, two = options.side == ba::Chain_side::BOTH;
+  const bool tangent = options.continuity == ba::Arc_chain::Continuity::TANGENT,
+             two = options.side == ba::Arc_chain::Side::BOTH;
   const double f =
       tangent ? (two ? factor::BIARC : factor::ONE_SIDED_BIARC) : (two ? factor::ARC : factor::ONE_SIDED_ARC);
   double integral = 0;
@@ -79,11 +81,11 @@ double least_number(const Spirals& spirals, double eps, const ba::Arc_chain_opti
 // Makes arcs of one circle one arc, up to half of it: pieces of curves cut them.
 void join_arcs(Fitted_curve& curve, double eps) {
   constexpr double MOVE = 0x1p-44;  // of the chord: the guarantee of arc_of_both
-  std::vector<ba::Chain_arc_2> arcs;
-  for (const ba::Chain_arc_2& arc : curve.chain.arcs) {
+  std::vector<ba::Arc_chain::Arc> arcs;
+  for (const ba::Arc_chain::Arc& arc : curve.chain.arcs) {
     if (!arcs.empty() && arcs.back().to == arc.from)
       if (const std::optional<Arc_2> both = arc_of_both(arcs.back(), arc)) {
-        ba::Chain_arc_2 whole = arcs.back();
+        ba::Arc_chain::Arc whole = arcs.back();
         static_cast<Arc_2&>(whole) = *both;
         whole.t1 = arc.t1;
         whole.error = (std::max)(whole.error, arc.error) +
@@ -113,7 +115,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
       curve.beziers.push_back(i);
     }
   curve.number_of_spirals = spirals.size();
-  const ba::Arc_chain_options how = chain_options(curve, options);
+  const ba::Arc_chain::Options how = chain_options(curve, options);
   std::vector<double> times;
   for (std::size_t i = 0; i < (options.format == "table" ? options.repeat : 1); ++i) {
     const auto start = std::chrono::steady_clock::now();
@@ -135,7 +137,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   return curve;
 }
 
-std::size_t last_bezier(const Fitted_curve& curve, const ba::Chain_arc_2& arc) {
+std::size_t last_bezier(const Fitted_curve& curve, const ba::Arc_chain::Arc& arc) {
   return curve.last_beziers[static_cast<std::size_t>(&arc - curve.chain.arcs.data())];
 }
 
@@ -151,7 +153,7 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
     std::string text;
     Piece_text pieces;
     const char* separator = "\n{";
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) {
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs) {
       text += separator;
       pieces.add_members(text, arc);
       text += ',';
@@ -175,7 +177,7 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
 void write_csv(std::ostream& out, const std::vector<Fitted_curve>& curves) {
   out << "curve,bezier,t0,t1,bezier_end,error," << PIECE_COLUMNS << '\n';
   for (const Fitted_curve& c : curves)
-    for (const ba::Chain_arc_2& arc : c.chain.arcs)
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs)
       out << csv_field(c.record.name) << ',' << c.beziers[arc.spiral] << ',' << number(arc.t0) << ',' << number(arc.t1)
           << ',' << last_bezier(c, arc) << ',' << number(arc.error) << ',' << piece_fields(arc) << '\n';
 }
@@ -220,7 +222,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   std::size_t arcs = 0;
   for (const Fitted_curve& c : curves) {
     arcs += c.chain.arcs.size();
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) {
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs) {
       box.add(arc.from);
       box.add(arc.to);
       box.add(middle(arc));
@@ -232,7 +234,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   constexpr double DOT = 4.5;
   Dot_width dots;
   for (const Fitted_curve& c : curves)
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
   const std::string eps_text = short_number(eps);
   char text[900];
   std::snprintf(
@@ -265,7 +267,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   layer("arcs", "a", [&](const Fitted_curve& c) {
     Xy<double> last = c.chain.arcs.front().from;
     std::string path = "M" + sheet.view(last);
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) {
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs) {
       if (arc.from != last) path += "M" + sheet.view(arc.from);
       path += step(sheet.view, arc, true);
       last = arc.to;
@@ -274,7 +276,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   });
   layer("ends", "e", [&](const Fitted_curve& c) {
     std::string path = "M" + sheet.view(c.chain.arcs.front().from) + "h0";
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) path += "M" + sheet.view(arc.to) + "h0";
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs) path += "M" + sheet.view(arc.to) + "h0";
     return path;
   });
   out << "</svg>\n";
@@ -285,14 +287,14 @@ bool is_y_down(const std::vector<Fitted_curve>& curves) {
 }
 
 Written_drawing written(const std::vector<Fitted_curve>& curves, const File_unit& unit,
-                        const std::optional<ba::Page>& page) {
+                        const std::optional<ba::Curve_file::Page>& page) {
   Written_drawing drawing;
   drawing.y_is_down = is_y_down(curves);
   drawing.unit_in_mm = unit.in_mm;
   drawing.page = page;
   for (const Fitted_curve& c : curves) {
     drawing.curves.push_back({c.record.name, look_of(c.record), {}});
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) add_piece(drawing.curves.back().pieces, arc);
+    for (const ba::Arc_chain::Arc& arc : c.chain.arcs) add_piece(drawing.curves.back().pieces, arc);
   }
   return drawing;
 }
@@ -373,7 +375,7 @@ int run_arcs(const Arcs_options& options) {
   check_plain(options.is_plain, options.format);
   std::vector<Fitted_curve> curves;
   Reading_words reading = options.reading;
-  std::optional<ba::Page> page;
+  std::optional<ba::Curve_file::Page> page;
   for (const std::string& file : options.files) {
     ba::Curve_file read = read_told(file, reading);
     reading.keep_unit({name_of_file(file), read.unit_in_mm});

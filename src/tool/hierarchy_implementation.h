@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
-#include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
+#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ using Circular =
 }
 
 /// One side of a region as it is written.
-[[nodiscard]] inline Output_chain output_chain(const ba::Arc_region_2& region, const ba::Arc_side_2& side) {
+[[nodiscard]] inline Output_chain output_chain(const ba::Arc_region_2& region, const ba::Arc_region_2::Side& side) {
   const auto bulge = [&](std::size_t i) { return side.bulges[i] == 0 ? 0 : side.bulges[i]; };  // not -0
   if (side.size == 1) return {{region.from, region.to, bulge(0)}};
   return {{region.from, side.joint, bulge(0)}, {side.joint, region.to, bulge(1)}};
@@ -302,7 +302,7 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
   [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps, std::size_t max_regions,
                                                        const Progress& progress) const override {
     ba::Build_options options;
-    options.nodes = split == Split::OPTIMAL ? ba::Node_kind::EQUALIZED : ba::Node_kind::STORED;
+    options.nodes = split == Split::OPTIMAL ? ba::Build_options::Nodes::EQUALIZED : ba::Build_options::Nodes::STORED;
     options.max_nodes = max_regions;
     options.progress = progress;
     if (is_yardstick(method)) {

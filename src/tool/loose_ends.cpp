@@ -47,7 +47,7 @@ double extent(const ba::Drawing_2<double>& drawing) {
 
 }  // namespace
 
-ba::Reading_note Loose_ends::note() const {
+ba::Curve_file::Note Loose_ends::note() const {
   std::string what = open == 1 ? "open curve" : "open curves";
   if (gaps > 0)
     what += ", whose ends " +

@@ -23,7 +23,7 @@ struct Loose_ends {
   double widest = 0;     ///< how far apart they are at most, rounded up; 0 where they are the same
 
   /// What a reader tells of curves that it leaves out.
-  [[nodiscard]] CGAL::Bounding_arcs::Reading_note note() const;
+  [[nodiscard]] CGAL::Bounding_arcs::Curve_file::Note note() const;
   /// "4 open curves, whose ends are up to 0.001 apart at 4 places, the first from (0, 0) to (10, 0): --join-ends 0.001
   /// joins them".
   [[nodiscard]] std::string text() const;

@@ -101,7 +101,7 @@ void tell_change(const std::string& file, const std::string& text, const Reading
   tell(file, line);
 }
 
-void tell_notes(const std::string& file, const std::vector<ba::Reading_note>& notes, const Reading_words& words) {
+void tell_notes(const std::string& file, const std::vector<ba::Curve_file::Note>& notes, const Reading_words& words) {
   tell_change(file, text_of(notes), words);
 }
 
@@ -116,8 +116,8 @@ void tell_joined(const std::string& file, const Read_file& read, const Reading_w
 
 }  // namespace
 
-ba::Reading_options reading_options(const Reading_words& words) {
-  ba::Reading_options options = words.options;
+ba::Curve_file::Options reading_options(const Reading_words& words) {
+  ba::Curve_file::Options options = words.options;
   if (!words.layers.empty()) options.layers = words_between_commas(words.layers);
   if (!words.rule.empty()) options.rule = fill_rule(words.rule, ba::Fill_rule::NONZERO);
   return options;

@@ -23,7 +23,7 @@ namespace bounding_arcs_tool {
 
 /// What the command line says about reading.
 struct Reading_words {
-  CGAL::Bounding_arcs::Reading_options options;
+  CGAL::Bounding_arcs::Curve_file::Options options;
   bool is_strict = false;    ///< files have to be read as they stand there
   std::string join;          ///< how far apart ends may be that are joined, or none; empty for the file's rounding
   bool skips_open = false;   ///< open curves are left out
@@ -52,11 +52,11 @@ void tell(const std::string& file, const std::string& text);
 /// \throws Input_error in place of the line where --strict forbids it
 void tell_change(const std::string& file, const std::string& text, const Reading_words& words);
 /// Says so what notes tell. \throws Input_error likewise
-void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::Reading_note>& notes,
+void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::Curve_file::Note>& notes,
                 const Reading_words& words);
 
 /// What a reader is asked for.
-[[nodiscard]] CGAL::Bounding_arcs::Reading_options reading_options(const Reading_words& words);
+[[nodiscard]] CGAL::Bounding_arcs::Curve_file::Options reading_options(const Reading_words& words);
 /// Reads a file and joins what meets, and tells that: a change, but where --join-ends asks for it. \throws Input_error
 [[nodiscard]] CGAL::Bounding_arcs::Curve_file read_joined(const std::string& path, const Reading_words& words);
 /// Reads a file so, without open curves where they are to be skipped, and tells its notes. \throws Input_error

@@ -49,7 +49,7 @@ void scale(std::vector<ba::Xy<double>>& points, const Scaling& scaled, const std
 }
 
 // Has a page tell its size in a unit.
-void size_page(ba::Page& page, double in_mm) {
+void size_page(ba::Curve_file::Page& page, double in_mm) {
   const std::string word = word_of_unit(in_mm);
   const auto size = [&](double units) {
     return word.empty() && in_mm > 0 ? number(units * in_mm) + "mm" : number(units) + word;
@@ -62,7 +62,7 @@ void size_page(ba::Page& page, double in_mm) {
 
 }  // namespace
 
-ba::Page page_of(const CGAL::Bbox_2& box, double unit_in_mm) {
+ba::Curve_file::Page page_of(const CGAL::Bbox_2& box, double unit_in_mm) {
   // Boxes are widened by rounding, which is no part of a step.
   constexpr double STEPS = 1000, ROUNDING = 1e-6;
   const double extent = (std::max)(box.x_span(), box.y_span());
@@ -70,7 +70,7 @@ ba::Page page_of(const CGAL::Bbox_2& box, double unit_in_mm) {
   const Scaling to_steps(1, step), from_steps(step, 1);
   const auto down = [&](double x) { return from_steps(std::floor(to_steps(x) + ROUNDING)); };
   const auto up = [&](double x) { return from_steps(std::ceil(to_steps(x) - ROUNDING)); };
-  ba::Page page;
+  ba::Curve_file::Page page;
   page.x = down(box.xmin()), page.y = down(box.ymin());
   page.width = up(box.xmax() - page.x), page.height = up(box.ymax() - page.y);
   for (double* length : {&page.width, &page.height})

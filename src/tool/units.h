@@ -38,7 +38,7 @@ struct File_unit {
 
 /// The page around a box, to at least three digits of its larger side, with its size in the unit; in none where it is
 /// 0.
-[[nodiscard]] CGAL::Bounding_arcs::Page page_of(const CGAL::Bbox_2& box, double unit_in_mm);
+[[nodiscard]] CGAL::Bounding_arcs::Curve_file::Page page_of(const CGAL::Bbox_2& box, double unit_in_mm);
 
 /// Takes a file's coordinates to be in a unit, as they are.
 void tell_unit(CGAL::Bounding_arcs::Curve_file& file, double in_mm);

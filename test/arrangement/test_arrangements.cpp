@@ -64,7 +64,7 @@ Shape shape_of_overlay(const Lattice_drawing& drawing) {
   Shape shape;
   shape.faces = overlay.faces.size();
   std::vector<std::size_t> degree(overlay.vertices.size(), 0);
-  for (const ba::Overlay_edge& e : overlay.edges) {
+  for (const ba::Overlay_2::Edge& e : overlay.edges) {
     if (!e.from) continue;
     for (const std::uint32_t end : {*e.from, *e.to}) ++degree[end];
     ++shape.edges_less_vertices;

@@ -28,12 +28,13 @@ void add_plain(const std::string& name, double eps) {
   });
 }
 
-void add_chain(const std::string& name, const std::string& reference, ba::Continuity continuity, double eps) {
+void add_chain(const std::string& name, const std::string& reference, ba::Arc_chain::Continuity continuity,
+               double eps) {
   add_row(name, reference, [=](benchmark::State& state) {
     time_builds(
         state, bundled_spirals(),
         [&](const std::vector<Spiral>& spirals) {
-          return ba::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH});
+          return ba::arc_chain(spirals, eps, {continuity, ba::Arc_chain::Side::BOTH});
         },
         [&](const ba::Arc_chain& chain) { state.counters[REGIONS] = static_cast<double>(chain.arcs.size()); });
   });
@@ -42,7 +43,7 @@ void add_chain(const std::string& name, const std::string& reference, ba::Contin
 template <class Traits> void add_optimal(const std::string& method, double eps, const std::string& eps_name) {
   using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   ba::Build_options options;
-  options.nodes = ba::Node_kind::EQUALIZED;
+  options.nodes = ba::Build_options::Nodes::EQUALIZED;
   add_row(method + ", optimal, " + eps_name, method + ", " + eps_name, [=](benchmark::State& state) {
     time_builds(
         state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, options); },
@@ -60,8 +61,8 @@ void add_arcs() {
     const double eps = std::atof(text);
     const std::string plain = std::string("arcs, plain biarcs, ") + text;
     add_plain(plain, eps);
-    add_chain(std::string("arcs, common tangents, ") + text, plain, ba::Continuity::TANGENT, eps);
-    add_chain(std::string("arcs, only meeting, ") + text, plain, ba::Continuity::POSITION, eps);
+    add_chain(std::string("arcs, common tangents, ") + text, plain, ba::Arc_chain::Continuity::TANGENT, eps);
+    add_chain(std::string("arcs, only meeting, ") + text, plain, ba::Arc_chain::Continuity::POSITION, eps);
   }
   add_optimal<ba::Bca_traits_2<Double>>("bca", 1e-8, "1e-08");
   add_optimal<ba::Spiral_fat_arc_traits_2<Double>>("sfa", 1e-8, "1e-08");

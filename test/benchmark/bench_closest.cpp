@@ -34,7 +34,7 @@ std::vector<Spiral> many_spirals() {
   return spirals;
 }
 
-const Tree& tree_of(ba::Node_kind kind) {
+const Tree& tree_of(ba::Build_options::Nodes kind) {
   static std::unique_ptr<Tree> made;  // one at a time, as it is large
   if (!made || made->nodes() != kind) {
     ba::Build_options options;
@@ -73,7 +73,7 @@ void time_queries(benchmark::State& state, const Tree& tree, const Run& run, con
   }
 }
 
-void search(benchmark::State& state, ba::Node_kind kind) {
+void search(benchmark::State& state, ba::Build_options::Nodes kind) {
   time_queries(
       state, tree_of(kind),
       [](auto& search, const ba::Xy<double>& q, std::size_t) { benchmark::DoNotOptimize(search(q).upper); },
@@ -82,7 +82,7 @@ void search(benchmark::State& state, ba::Node_kind kind) {
 
 /// The boxes over segments that such a search looks at, by themselves.
 void look_at_boxes(benchmark::State& state) {
-  const Tree& tree = tree_of(ba::Node_kind::LAZY);
+  const Tree& tree = tree_of(ba::Build_options::Nodes::LAZY);
   std::vector<double> distances;
   Closest_point_search<Tree> first(tree);
   for (const ba::Xy<double>& q : queries(tree)) distances.push_back(first(q).upper);
@@ -92,7 +92,7 @@ void look_at_boxes(benchmark::State& state) {
 }
 
 /// Boxes of region nodes, those on the ways from segments to some of their leaves.
-void node_boxes(benchmark::State& state, ba::Node_kind kind) {
+void node_boxes(benchmark::State& state, ba::Build_options::Nodes kind) {
   const Tree& tree = tree_of(kind);
   std::mt19937 random(2);
   std::vector<ba::Node_handle> nodes;
@@ -118,11 +118,11 @@ void node_boxes(benchmark::State& state, ba::Node_kind kind) {
 void add_closest() {
   const std::string of_pieces = ", pieces: " + std::to_string(PIECES);
   const auto add = [&](const std::string& name, const auto& run) { add_row(name + of_pieces, "", run); };
-  add("closest point, lazy", [](benchmark::State& state) { search(state, ba::Node_kind::LAZY); });
+  add("closest point, lazy", [](benchmark::State& state) { search(state, ba::Build_options::Nodes::LAZY); });
   add("closest point, boxes over segments alone", look_at_boxes);
   add("closest point, boxes of region nodes alone",
-      [](benchmark::State& state) { node_boxes(state, ba::Node_kind::LAZY); });
-  add("closest point, eager", [](benchmark::State& state) { search(state, ba::Node_kind::STORED); });
+      [](benchmark::State& state) { node_boxes(state, ba::Build_options::Nodes::LAZY); });
+  add("closest point, eager", [](benchmark::State& state) { search(state, ba::Build_options::Nodes::STORED); });
 }
 
 }  // namespace bounding_arcs_benchmark

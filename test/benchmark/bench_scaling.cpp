@@ -148,7 +148,7 @@ template <class Tree> std::size_t descend(const Tree& tree, double x, double y) 
 void lazy_descent(benchmark::State& state, std::size_t n, double eps) {
   using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   ba::Build_options options;
-  options.nodes = ba::Node_kind::LAZY;
+  options.nodes = ba::Build_options::Nodes::LAZY;
   std::size_t seen = 0;
   time_builds(
       state, spirals_of(n),
@@ -212,14 +212,14 @@ template <class Tag> void axis_in_frame(benchmark::State& state, std::size_t n) 
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
   const ba::Bounding_arc_tree_2 tree(
       ba::framed(bounding_arcs_test::spline_field(random, side, (n + side - 1) / side), 1));
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const ba::Medial_axis_2 axis = ba::medial_axis<Tag>(tree, 3e-4, options);  // cells are 3 wide
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     state.counters[REGIONS] = static_cast<double>(axis.edges.size());
-    if (axis.status != ba::Medial_axis_status::COMPLETE) state.SkipWithError("the axis is not complete");
+    if (axis.status != ba::Medial_axis_2::Status::COMPLETE) state.SkipWithError("the axis is not complete");
   }
 }
 

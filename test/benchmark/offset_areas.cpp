@@ -83,7 +83,7 @@ Verdict compare(const std::string& file, const ba::Drawing_2<double>& drawing, d
         (std::max)(length_of(a.of_closed) + length_of(a.of_open), length_of(b.of_closed) + length_of(b.of_open));
     const double at_most = 1 + OF_CHORDS + theirs.error() / eps,
                  is = length > 0 ? area * grid.unit / (length * eps) : 0;
-    const bool is_good = is <= at_most && offset.status == ba::Offset_status::COMPLETE;
+    const bool is_good = is <= at_most && offset.status == ba::Offset::Status::COMPLETE;
     std::printf("%s: %s distance %g, %zu chains: %.3f of at most %.3f (%.1f s)\n", is_good ? "good" : "BAD",
                 file.c_str(), d, offset.chains.size(), is, at_most, double(std::clock() - start) / CLOCKS_PER_SEC);
     std::fflush(stdout);

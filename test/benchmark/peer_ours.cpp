@@ -7,9 +7,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
@@ -39,7 +37,7 @@ double axis_radius(const Chain& chain) {
   ba::Drawing_2<double> drawing;
   drawing.add(chain);
   const ba::Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(std::move(drawing)), 1e-6);
-  if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
+  if (axis.status != ba::Medial_axis_2::Status::COMPLETE) return NO_ANSWER;
   double largest = 0;
   for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);
   for (const auto& e : axis.edges)

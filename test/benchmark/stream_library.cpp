@@ -60,7 +60,7 @@ class Printer {
     add(ba::radius(arc));
     add(b > 0 ? ",\"orientation\":\"ccw\"" : ",\"orientation\":\"cw\"");
   }
-  void add_side(const ba::Arc_region_2& region, const ba::Arc_side_2& side) {
+  void add_side(const ba::Arc_region_2& region, const ba::Arc_region_2::Side& side) {
     add_arc(region.from, side.size == 2 ? side.joint : region.to, side.bulges[0]);
     if (side.size == 2) {
       add("},");
@@ -90,7 +90,7 @@ class Printer {
 std::size_t arcs(const Spirals& spirals, double eps, Printer& printer) {
   const ba::Arc_chain chain = ba::arc_chain(spirals, eps);
   if (printer.is_on())
-    for (const ba::Chain_arc_2& arc : chain.arcs) {
+    for (const ba::Arc_chain::Arc& arc : chain.arcs) {
       printer.add_arc(arc.from, arc.to, arc.bulge);
       printer.add(",");
       printer.add_piece(spirals[arc.spiral].place().bezier, arc.t0, arc.t1);

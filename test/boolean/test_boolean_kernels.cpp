@@ -48,11 +48,11 @@ TYPED_TEST(BooleanKernels, AgreeWithExactDecisions) {
       SCOPED_TRACE("case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
       const Outline_2 found = ba::boolean_operation({&tree_a, &tree_b}, operation);
       ++count;
-      if (IS_DOUBLE && found.status != ba::Outline_status::COMPLETE) {
+      if (IS_DOUBLE && found.status != ba::Outline_2::Status::COMPLETE) {
         ++open;
         continue;
       }
-      ASSERT_EQ(found.status, ba::Outline_status::COMPLETE);
+      ASSERT_EQ(found.status, ba::Outline_2::Status::COMPLETE);
       EXPECT_EQ(parts_of(found, false), parts_of(operands.outline(operation, Fill_rule::NONZERO), false));
     }
   }
@@ -77,7 +77,7 @@ TEST(BooleanKernels, CountNumbersThatAreNoDoubles) {
     const Exact_tree a(triangle({{0, 0}, {7, 1}, {1, 5}}, parts)), b(triangle({{4, 3}, {9, 4}, {6, 8}}, parts)),
         c(triangle({{7, 1}, {4, 3}, {8, 9}}, parts));
     const Outline_2 touching = ba::intersection(a, b), along = ba::unite(a, c), beside = ba::intersection(a, c);
-    EXPECT_EQ(touching.status, ba::Outline_status::COMPLETE);
+    EXPECT_EQ(touching.status, ba::Outline_2::Status::COMPLETE);
     EXPECT_TRUE(touching.chains.empty()) << parts;  // a point
     ASSERT_EQ(along.chains.size(), 1u) << parts;
     EXPECT_EQ(along.chains.front().parts.size(), 5u) << parts;  // without what they share

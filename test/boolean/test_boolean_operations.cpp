@@ -249,7 +249,7 @@ TEST(BooleanOperations, TakeOperandsThatFillNothing) {
         const bool is_square = area > 0 && (given.size() == 1 || operation == Boolean_operation::UNION ||
                                             operation == Boolean_operation::SYMMETRIC_DIFFERENCE ||
                                             (operation == Boolean_operation::DIFFERENCE && i == 5));
-        EXPECT_EQ(outline.status, ba::Outline_status::COMPLETE) << i;
+        EXPECT_EQ(outline.status, ba::Outline_2::Status::COMPLETE) << i;
         EXPECT_EQ(outline.chains.size(), is_square ? 1u : 0u) << i << ' ' << static_cast<int>(operation);
         EXPECT_EQ(area_of(drawn.drawing, 1e-12), is_square ? 4 : 0) << i;
         EXPECT_EQ(drawn.moved, 0) << i;
@@ -259,7 +259,7 @@ TEST(BooleanOperations, TakeOperandsThatFillNothing) {
   const ba::Bounding_arc_tree_2 none{Drawing()}, some(square), all_points(points);
   for (const auto* region : {&none, &all_points}) {
     const ba::Clipped_2 clipped = ba::clip(some, *region, Fill_rule::NONZERO);
-    EXPECT_EQ(clipped.status, ba::Outline_status::COMPLETE);
+    EXPECT_EQ(clipped.status, ba::Outline_2::Status::COMPLETE);
     ASSERT_FALSE(clipped.parts.empty());
     for (const auto& part : clipped.parts) EXPECT_EQ(part.side, CGAL::ON_UNBOUNDED_SIDE);
   }
@@ -308,7 +308,7 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   second.add(circle({1003, 3}, 1));
   const ba::Bounding_arc_tree_2 curves(first, ba::Decisions::DOUBLE), region(second, ba::Decisions::DOUBLE);
   const Outline_2 outline = ba::unite(curves, region);
-  ASSERT_EQ(outline.status, ba::Outline_status::UNDECIDED);
+  ASSERT_EQ(outline.status, ba::Outline_2::Status::UNDECIDED);
   ASSERT_TRUE(outline.undecided);
   EXPECT_NEAR(outline.undecided->at.x, 1002, 1e-3);
   EXPECT_NEAR(outline.undecided->at.y, 3, 1e-3);
@@ -319,7 +319,7 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   const Outline_2 decided = ba::unite(ba::Bounding_arc_tree_2(first), ba::Bounding_arc_tree_2(second));
   EXPECT_FALSE(decided.undecided);
   const ba::Clipped_2 clipped = ba::clip(curves, region, Fill_rule::NONZERO);
-  ASSERT_EQ(clipped.status, ba::Outline_status::UNDECIDED);
+  ASSERT_EQ(clipped.status, ba::Outline_2::Status::UNDECIDED);
   ASSERT_TRUE(clipped.undecided);
   EXPECT_NEAR(clipped.undecided->at.x, 1002, 1e-3);
   EXPECT_EQ(clipped.undecided->a.curve, 1u);

@@ -36,13 +36,13 @@ struct Sides {
 
 void expect_right(const Drawing& curves, const Drawing& region, Fill_rule rule, Sides& sides) {
   const Clipped_2 clipped = clip(curves, region, rule);
-  ASSERT_EQ(clipped.status, ba::Outline_status::COMPLETE);
+  ASSERT_EQ(clipped.status, ba::Outline_2::Status::COMPLETE);
   const ba::Bounding_arc_tree_2 hierarchy(region);
   const ba::Point_location_2 location(hierarchy);
   std::size_t next = 0;
   for (std::uint32_t c = 0; c < curves.curves().size(); ++c)
     for (std::uint32_t b = 0; b < curves.curves()[c].beziers.size(); ++b) {
-      const auto is_of_piece = [&](const ba::Clipped_part& part) { return part.curve == c && part.bezier == b; };
+      const auto is_of_piece = [&](const ba::Clipped_2::Part& part) { return part.curve == c && part.bezier == b; };
       ba::Bracket from{0, 0};
       do {
         ASSERT_LT(next, clipped.parts.size());
@@ -137,11 +137,11 @@ TEST(Clip, KeepsPartsShorterThanAnUlp) {
   from_inside.add({Bezier({{0.5, -0x1p-60}, {0.5, 1}})});
   from_edge.add({Bezier({{0.5, 0}, {0.5, 1}})});
   const Clipped_2 two = clip(from_inside, region), one = clip(from_edge, region);
-  EXPECT_EQ(two.status, ba::Outline_status::COMPLETE);
+  EXPECT_EQ(two.status, ba::Outline_2::Status::COMPLETE);
   ASSERT_EQ(two.parts.size(), 2u);
   EXPECT_EQ(two.parts[0].side, CGAL::ON_BOUNDED_SIDE);
   EXPECT_EQ(two.parts[1].side, CGAL::ON_UNBOUNDED_SIDE);
-  EXPECT_EQ(one.status, ba::Outline_status::COMPLETE);
+  EXPECT_EQ(one.status, ba::Outline_2::Status::COMPLETE);
   ASSERT_EQ(one.parts.size(), 1u);
   EXPECT_EQ(one.parts[0].side, CGAL::ON_UNBOUNDED_SIDE);
 }

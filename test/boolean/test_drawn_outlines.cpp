@@ -78,7 +78,7 @@ std::size_t number_of_pieces(const Drawing& drawing) {
 /// Chains are closed, as many as curves, and nested as the outline's.
 void expect_drawn(const Drawn_outline& found, const std::string& name) {
   ASSERT_EQ(found.drawing.curves().size(), found.outline.chains.size()) << name;
-  EXPECT_EQ(found.outline.status, ba::Outline_status::COMPLETE) << name;
+  EXPECT_EQ(found.outline.status, ba::Outline_2::Status::COMPLETE) << name;
   EXPECT_TRUE(std::isfinite(found.moved)) << name;
   for (std::size_t i = 0; i < found.outline.chains.size(); ++i) {
     const auto& chain = found.outline.chains[i];
@@ -116,7 +116,7 @@ TEST(DrawnOutlines, AreMovedByNoMoreThanTheySay) {
     largest = (std::max)(largest, found.moved);
     for (std::size_t c = 0; c < found.outline.chains.size(); ++c)
       for (std::size_t k = 0; k < found.outline.chains[c].parts.size(); ++k) {
-        const ba::Outline_part& part = found.outline.chains[c].parts[k];
+        const ba::Outline_2::Part& part = found.outline.chains[c].parts[k];
         const auto given =
             ba::exact_bezier(operands.drawings()[part.operand]->curves()[part.curve].beziers[part.bezier]);
         const auto written = ba::exact_bezier(found.drawing.curves()[c].beziers[k]);

@@ -137,9 +137,9 @@ TEST_P(NudgedDrawings, ClipEachOther) {
   expect_of_pairs(MANY, [&](const Drawing_pair& pair, std::mt19937& random) {
     const Fill_rule rule = random_operation(random).rule_b;
     const ba::Clipped_2 clipped = ba::clip(Filtered_tree(pair.a), Filtered_tree(pair.b), rule);
-    if (clipped.status != ba::Outline_status::COMPLETE) throw Fault("incomplete", "another status");
+    if (clipped.status != ba::Outline_2::Status::COMPLETE) throw Fault("incomplete", "another status");
     const Whole_curves whole({&pair.a, &pair.b});
-    for (const ba::Clipped_part& part : clipped.parts) {
+    for (const ba::Clipped_2::Part& part : clipped.parts) {
       const double t = ba::Bracket{part.from.upper, part.to.lower}.middle();
       if (!(part.from.upper < t && t < part.to.lower)) continue;  // shorter than parameters tell
       const auto q = whole.point(whole.number_of(0, part.curve, part.bezier), t);

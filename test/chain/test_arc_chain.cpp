@@ -31,7 +31,7 @@ using bounding_arcs_test::Spiral;
 using Real = long double;  // of 64 bits: errors of 1e-19, far below what is looked at
 using Vector = Xy<Real>;
 
-constexpr Continuity CONTINUITIES[] = {Continuity::POSITION, Continuity::TANGENT};
+constexpr Arc_chain::Continuity CONTINUITIES[] = {Arc_chain::Continuity::POSITION, Arc_chain::Continuity::TANGENT};
 
 Real length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
@@ -45,7 +45,7 @@ Vector curve_point(const Spiral& spiral, Real t) {
 
 // An arc in long double: its directions, its points, and the signed distance to it, positive on its left.
 struct Exact_arc {
-  explicit Exact_arc(const Chain_arc_2& a)
+  explicit Exact_arc(const Arc_chain::Arc& a)
       : from{a.from.x, a.from.y}, chord{a.to.x - Real(a.from.x), a.to.y - Real(a.from.y)}, b(a.bulge) {}
   Vector tangent(int end) const { return (1 - b * b) * chord + ((end == 0 ? -2 : 2) * b) * perp(chord); }
   Vector center() const { return from + Real(0.5) * chord + ((1 - b) * (1 + b) / (4 * b)) * perp(chord); }
@@ -73,7 +73,7 @@ struct Distances {
   Real size() const { return std::max(-least, greatest); }
 };
 
-Distances sampled(const Spiral& spiral, const Chain_arc_2& arc, int samples) {
+Distances sampled(const Spiral& spiral, const Arc_chain::Arc& arc, int samples) {
   const Exact_arc exact(arc);
   Distances d;
   for (int i = 0; i <= samples; ++i) {
@@ -84,19 +84,19 @@ Distances sampled(const Spiral& spiral, const Chain_arc_2& arc, int samples) {
   return d;
 }
 
-double least_number(const std::vector<Spiral>& spirals, double eps, Continuity continuity) {
+double least_number(const std::vector<Spiral>& spirals, double eps, Arc_chain::Continuity continuity) {
   double integral = 0;
   for (const Spiral& s : spirals) integral += slope_integral(s);
-  return continuity == Continuity::TANGENT ? 2 * std::cbrt(cubic_factor::BIARC / eps) * integral
-                                           : std::cbrt(cubic_factor::ARC / eps) * integral;
+  return continuity == Arc_chain::Continuity::TANGENT ? 2 * std::cbrt(cubic_factor::BIARC / eps) * integral
+                                                      : std::cbrt(cubic_factor::ARC / eps) * integral;
 }
 
 TEST(ArcChain, HasFewArcsWithinEps) {
   for (const auto& curve : bundled_curves())
-    for (const Continuity continuity : CONTINUITIES)
+    for (const Arc_chain::Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
         if (FEW_CASES && eps < 1e-4) break;
-        const Arc_chain chain = arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH});
+        const Arc_chain chain = arc_chain(curve.spirals, eps, {continuity, Arc_chain::Side::BOTH});
         EXPECT_EQ(chain.status, Build_status::COMPLETE);
         EXPECT_LE(chain.error, eps);
         EXPECT_LE(chain.arcs.size(), 1.05 * least_number(curve.spirals, eps, continuity) + 2.0 * curve.spirals.size())
@@ -106,11 +106,11 @@ TEST(ArcChain, HasFewArcsWithinEps) {
 
 TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
   for (const auto& curve : bundled_curves())
-    for (const Continuity continuity : CONTINUITIES)
+    for (const Arc_chain::Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6}) {
         if (FEW_CASES && eps < 1e-4) break;
         std::vector<int> number(curve.spirals.size());
-        for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs)
+        for (const Arc_chain::Arc& arc : arc_chain(curve.spirals, eps, {continuity, Arc_chain::Side::BOTH}).arcs)
           ++number[arc.spiral];
         for (std::size_t i = 0; i < number.size(); ++i)
           EXPECT_LE(number[i], 1.05 * least_number({curve.spirals[i]}, eps, continuity) + 2)
@@ -121,21 +121,21 @@ TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
 // The position chain's arcs and, for small eps, the slope integral agree on how many are needed.
 TEST(ArcChain, NeedsAsManyArcsAsTheSlopeOfCurvatureSays) {
   for (const auto& curve : bundled_curves()) {
-    const double number =
-        static_cast<double>(arc_chain(curve.spirals, 1e-9, {Continuity::POSITION, Chain_side::BOTH}).arcs.size());
-    EXPECT_GE(number, 0.99 * least_number(curve.spirals, 1e-9, Continuity::POSITION));
+    const double number = static_cast<double>(
+        arc_chain(curve.spirals, 1e-9, {Arc_chain::Continuity::POSITION, Arc_chain::Side::BOTH}).arcs.size());
+    EXPECT_GE(number, 0.99 * least_number(curve.spirals, 1e-9, Arc_chain::Continuity::POSITION));
   }
 }
 
 TEST(ArcChain, ErrorsBoundDistancesAndAreTight) {
-  for (const Continuity continuity : CONTINUITIES)
+  for (const Arc_chain::Continuity continuity : CONTINUITIES)
     for (const double eps : {1e-4, 1e-7}) {
       if (FEW_CASES && eps < 1e-4) break;
       Real loosest = 1, sum = 0;
       std::size_t arcs = 0;
       for (const std::size_t c : {0u, 3u, 5u}) {
         const auto& spirals = bundled_curves()[c].spirals;
-        for (const Chain_arc_2& arc : arc_chain(spirals, eps, {continuity, Chain_side::BOTH}).arcs) {
+        for (const Arc_chain::Arc& arc : arc_chain(spirals, eps, {continuity, Arc_chain::Side::BOTH}).arcs) {
           const Real distance = sampled(spirals[arc.spiral], arc, 40).size();
           ASSERT_LE(distance, arc.error);
           loosest = std::min(loosest, distance / arc.error);
@@ -152,12 +152,12 @@ TEST(ArcChain, ErrorsBoundDistancesOnRandomCurves) {
   std::mt19937 random(7);
   for (int i = 0; i < cases(60); ++i) {
     const auto spirals = spiral_segments(bounding_arcs_test::random_curve(random));
-    for (const Continuity continuity : CONTINUITIES)
-      for (const Chain_side side : {Chain_side::BOTH, Chain_side::LEFT})
+    for (const Arc_chain::Continuity continuity : CONTINUITIES)
+      for (const Arc_chain::Side side : {Arc_chain::Side::BOTH, Arc_chain::Side::LEFT})
         for (const double eps : {1e-2, 1e-5}) {
           const Arc_chain chain = arc_chain(spirals, eps, {continuity, side});
           ASSERT_LE(chain.error, eps);
-          for (const Chain_arc_2& arc : chain.arcs)
+          for (const Arc_chain::Arc& arc : chain.arcs)
             ASSERT_LE(sampled(spirals[arc.spiral], arc, 12).size(), arc.error) << i;
         }
   }
@@ -171,8 +171,8 @@ TEST(ArcChain, ErrorsBoundDistancesNearTheResolution) {
     std::vector<Xy<double>> points = curve.control_points();
     for (auto& p : points) p = p + Xy<double>{3e5, -7e5};
     const auto spirals = spiral_segments(Bezier_curve_2<double>(points, curve.weights()));
-    for (const Continuity continuity : CONTINUITIES)
-      for (const Chain_arc_2& arc : arc_chain(spirals, 1e-8, {continuity, Chain_side::BOTH}).arcs)
+    for (const Arc_chain::Continuity continuity : CONTINUITIES)
+      for (const Arc_chain::Arc& arc : arc_chain(spirals, 1e-8, {continuity, Arc_chain::Side::BOTH}).arcs)
         ASSERT_LE(sampled(spirals[arc.spiral], arc, 8).size(), arc.error) << i;
   }
 }
@@ -180,8 +180,9 @@ TEST(ArcChain, ErrorsBoundDistancesNearTheResolution) {
 // From points of the arc to the curve: by the nearest of some curve points, searched on between its neighbours.
 TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
   const auto& spirals = bundled_curves()[0].spirals;
-  for (const Continuity continuity : CONTINUITIES)
-    for (const Chain_arc_2& arc : arc_chain(spirals, FEW_CASES ? 1e-4 : 1e-5, {continuity, Chain_side::BOTH}).arcs)
+  for (const Arc_chain::Continuity continuity : CONTINUITIES)
+    for (const Arc_chain::Arc& arc :
+         arc_chain(spirals, FEW_CASES ? 1e-4 : 1e-5, {continuity, Arc_chain::Side::BOTH}).arcs)
       for (int i = 0; i <= 8; i += FEW_CASES ? 4 : 1) {
         const Vector p = Exact_arc(arc).point(Real(i) / 8);
         Real low = arc.t0, high = arc.t1;
@@ -197,11 +198,11 @@ TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
 
 TEST(ArcChain, ArcsShareTheirEndsAndTangents) {
   for (const auto& curve : bundled_curves())
-    for (const auto& [side, eps] :
-         {std::pair(Chain_side::BOTH, 1e-4), std::pair(Chain_side::BOTH, 1e-6), std::pair(Chain_side::RIGHT, 1e-6)}) {
-      const Arc_chain chain = arc_chain(curve.spirals, eps, {Continuity::TANGENT, side});
+    for (const auto& [side, eps] : {std::pair(Arc_chain::Side::BOTH, 1e-4), std::pair(Arc_chain::Side::BOTH, 1e-6),
+                                    std::pair(Arc_chain::Side::RIGHT, 1e-6)}) {
+      const Arc_chain chain = arc_chain(curve.spirals, eps, {Arc_chain::Continuity::TANGENT, side});
       for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
-        const Chain_arc_2 &a = chain.arcs[i], &b = chain.arcs[(i + 1) % chain.arcs.size()];
+        const Arc_chain::Arc &a = chain.arcs[i], &b = chain.arcs[(i + 1) % chain.arcs.size()];
         ASSERT_EQ(std::memcmp(&a.to, &b.from, sizeof a.to), 0) << curve.name;
         const Vector u = Exact_arc(a).tangent(1), v = Exact_arc(b).tangent(0);
         constexpr Real ROUNDING = 1e-15;  // of the arcs' ends, coordinates near 1
@@ -212,26 +213,27 @@ TEST(ArcChain, ArcsShareTheirEndsAndTangents) {
 }
 
 TEST(ArcChain, StaysOnItsSide) {
-  for (const Continuity continuity : CONTINUITIES)
-    for (const Chain_side side : {Chain_side::LEFT, Chain_side::RIGHT})
+  for (const Arc_chain::Continuity continuity : CONTINUITIES)
+    for (const Arc_chain::Side side : {Arc_chain::Side::LEFT, Arc_chain::Side::RIGHT})
       for (const std::size_t c : {1u, 4u}) {
         const auto& spirals = bundled_curves()[c].spirals;
         const Arc_chain chain = arc_chain(spirals, 1e-5, {continuity, side});
         EXPECT_LE(chain.error, 1e-5);
-        for (const Chain_arc_2& arc : chain.arcs) {
+        for (const Arc_chain::Arc& arc : chain.arcs) {
           const Distances d = sampled(spirals[arc.spiral], arc, 20);
           constexpr Real ROUNDING = 1e-15;  // of coordinates near 1
-          ASSERT_GE(side == Chain_side::LEFT ? d.least : -d.greatest, -ROUNDING);
+          ASSERT_GE(side == Arc_chain::Side::LEFT ? d.least : -d.greatest, -ROUNDING);
         }
       }
 }
 
-Arc_chain chain_of(const Bezier_curve_2<double>& curve, double eps, Continuity continuity = Continuity::TANGENT) {
-  return arc_chain(spiral_segments(curve), eps, {continuity, Chain_side::BOTH});
+Arc_chain chain_of(const Bezier_curve_2<double>& curve, double eps,
+                   Arc_chain::Continuity continuity = Arc_chain::Continuity::TANGENT) {
+  return arc_chain(spiral_segments(curve), eps, {continuity, Arc_chain::Side::BOTH});
 }
 
 TEST(ArcChain, OfLinesAndCirclesIsOnePieceEach) {
-  for (const Continuity continuity : CONTINUITIES) {
+  for (const Arc_chain::Continuity continuity : CONTINUITIES) {
     const Arc_chain line = chain_of(Bezier_curve_2<double>({{0, 0}, {1, 2}, {1.5, 3}, {4, 8}}), 1e-3, continuity);
     ASSERT_EQ(line.arcs.size(), 1u);
     EXPECT_EQ(line.arcs[0].bulge, 0);
@@ -246,7 +248,7 @@ TEST(ArcChain, OfLinesAndCirclesIsOnePieceEach) {
 
 TEST(ArcChain, SaysWhenEpsIsBelowWhatCoordinatesResolve) {
   const Bezier_curve_2<double> curve({{1e6, 1e6}, {1e6 + 1, 1e6 + 2}, {1e6 + 3, 1e6 - 1}, {1e6 + 4, 1e6}});
-  for (const Continuity continuity : CONTINUITIES) {
+  for (const Arc_chain::Continuity continuity : CONTINUITIES) {
     const Arc_chain chain = chain_of(curve, 1e-10, continuity);
     EXPECT_EQ(chain.status, Build_status::RESOLUTION_REACHED);
     EXPECT_GT(chain.error, 1e-10);
@@ -261,25 +263,27 @@ TEST(ArcChain, RefusesWhatItCannotDo) {
   EXPECT_THROW((void)arc_chain(spirals, NAN), std::invalid_argument);
   const Bezier_curve_2<double> huge({{-1e223, -40}, {-128, -128}, {0.6, 0.3}});  // whose squares are no doubles
   EXPECT_THROW((void)arc_chain(spiral_segments(huge), 1e222), std::invalid_argument);
-  const Arc_chain chain = arc_chain(spirals, 1e-8, {Continuity::TANGENT, Chain_side::BOTH, 20});
+  const Arc_chain chain = arc_chain(spirals, 1e-8, {Arc_chain::Continuity::TANGENT, Arc_chain::Side::BOTH, 20});
   EXPECT_EQ(chain.status, Build_status::REGION_LIMIT);
   EXPECT_TRUE(chain.arcs.empty());
   const std::size_t needed = arc_chain(spirals, 1e-2).arcs.size();
-  EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed}).arcs.size(), needed);
-  EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed - 1}).status,
+  EXPECT_EQ(arc_chain(spirals, 1e-2, {Arc_chain::Continuity::TANGENT, Arc_chain::Side::BOTH, needed}).arcs.size(),
+            needed);
+  EXPECT_EQ(arc_chain(spirals, 1e-2, {Arc_chain::Continuity::TANGENT, Arc_chain::Side::BOTH, needed - 1}).status,
             Build_status::REGION_LIMIT);
 }
 
 TEST(ArcChain, IsTheSameForEveryInstructionSet) {
-  for (const Continuity continuity : CONTINUITIES)
+  for (const Arc_chain::Continuity continuity : CONTINUITIES)
     for (const double eps : {1e-5, 1e-9}) {
       const auto& spirals = bundled_curves()[2].spirals;
-      const Arc_chain base = arc_chain(spirals, eps, {continuity, Chain_side::BOTH, 1'000'000, Instruction_set::BASE});
+      const Arc_chain base =
+          arc_chain(spirals, eps, {continuity, Arc_chain::Side::BOTH, 1'000'000, Instruction_set::BASE});
       for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
-        const Arc_chain wide = arc_chain(spirals, eps, {continuity, Chain_side::BOTH, 1'000'000, set});
+        const Arc_chain wide = arc_chain(spirals, eps, {continuity, Arc_chain::Side::BOTH, 1'000'000, set});
         ASSERT_EQ(wide.arcs.size(), base.arcs.size());
-        static_assert(sizeof(Chain_arc_2) == 8 * sizeof(double) + sizeof(std::size_t), "no padding");
-        EXPECT_EQ(std::memcmp(wide.arcs.data(), base.arcs.data(), base.arcs.size() * sizeof(Chain_arc_2)), 0);
+        static_assert(sizeof(Arc_chain::Arc) == 8 * sizeof(double) + sizeof(std::size_t), "no padding");
+        EXPECT_EQ(std::memcmp(wide.arcs.data(), base.arcs.data(), base.arcs.size() * sizeof(Arc_chain::Arc)), 0);
       }
     }
 }
@@ -287,7 +291,7 @@ TEST(ArcChain, IsTheSameForEveryInstructionSet) {
 // Of a cusp, whose tangent vector vanishes, the chain is the same run through either way.
 TEST(ArcChain, TakesACuspAtEitherEnd) {
   const std::vector<Xy<double>> points{{0, 0}, {0, 0}, {1, 0}, {3, 3}};  // 3 (t^2, t^3)
-  for (const Continuity continuity : CONTINUITIES)
+  for (const Arc_chain::Continuity continuity : CONTINUITIES)
     for (const double eps : {1e-2, 1e-4, 1e-6}) {
       const Arc_chain from = chain_of(Bezier_curve_2<double>(points), eps, continuity),
                       to = chain_of(Bezier_curve_2<double>({points.rbegin(), points.rend()}), eps, continuity);
@@ -297,7 +301,7 @@ TEST(ArcChain, TakesACuspAtEitherEnd) {
       }
       EXPECT_EQ(from.arcs.size(), to.arcs.size()) << eps;
       const Vector start = Exact_arc(from.arcs.front()).tangent(0), end = Exact_arc(to.arcs.back()).tangent(1);
-      if (continuity == Continuity::TANGENT) {
+      if (continuity == Arc_chain::Continuity::TANGENT) {
         EXPECT_NEAR(static_cast<double>(start.y / start.x), 0, 1e-15);
         EXPECT_NEAR(static_cast<double>(end.y / end.x), 0, 1e-15);
       }

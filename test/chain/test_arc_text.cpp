@@ -72,9 +72,9 @@ TEST(ChainText, HasCommonPointsOnce) {
 }
 
 TEST(ChainText, OfAnOffsetComesBackToItsStart) {
-  ba::Offset_chain chain;
+  ba::Offset::Chain chain;
   for (const ba::Arc_2& arc : {ba::Arc_2{{0, 0}, {1, 0}, 1}, ba::Arc_2{{1, 0}, {0, 0}, 1}}) {
-    ba::Offset_piece piece{};
+    ba::Offset::Piece piece{};
     piece.arc = arc;
     chain.pieces.push_back(piece);
   }

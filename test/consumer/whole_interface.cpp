@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/exchange/svg_path.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Formula_study.h>
 #include <CGAL/Bounding_arcs_2/study/Randomly_rounded.h>
@@ -68,7 +68,7 @@ template <class Tree> std::size_t sizes(const Tree& tree) {
          tree.decisions().all() + (is_complete ? 1u : 0u);
 }
 
-Build_options kind_of_nodes(Node_kind kind) {
+Build_options kind_of_nodes(Build_options::Nodes kind) {
   Build_options options;
   options.nodes = kind;
   return options;
@@ -78,8 +78,8 @@ template <class Traits, class NT> std::size_t trees() {
   using Spiral = Bezier_spiral_2<NT>;
   Region_hierarchy_2<Traits, Spiral> tree(spirals<NT>(), 1e-2);
   tree.replace(0, 1, {});
-  const Region_hierarchy_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::LAZY));
-  const Region_hierarchy_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::EQUALIZED));
+  const Region_hierarchy_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2, kind_of_nodes(Build_options::Nodes::LAZY));
+  const Region_hierarchy_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2, kind_of_nodes(Build_options::Nodes::EQUALIZED));
   return traverse(tree) + traverse(lazy) + traverse(optimal) + sizes(tree) + sizes(optimal);
 }
 
@@ -149,8 +149,8 @@ std::size_t proofs() {
 }
 std::size_t chains() {
   const Bounding_arc_tree_2 tree(Bezier_curve_2<double>({{0, 0}, {1, 2}, {3, -1}}));
-  const Arc_chain chain = arc_chain(tree, 1e-3, {Continuity::TANGENT, Chain_side::LEFT});
-  const Chain_arc_2& arc = chain.arcs.front();
+  const Arc_chain chain = arc_chain(tree, 1e-3, {Arc_chain::Continuity::TANGENT, Arc_chain::Side::LEFT});
+  const Arc_chain::Arc& arc = chain.arcs.front();
   return chain.arcs.size() + (radius(arc) > 0 && center(arc) != reversed(arc).from ? 1u : 0u);
 }
 

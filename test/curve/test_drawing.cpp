@@ -124,7 +124,8 @@ TEST(Drawing, HasSegmentsWithNeighboursAlongTheCurve) {
 }
 
 TEST(Drawing, HasLeavesWithNeighboursAlongTheCurve) {
-  for (const Node_kind kind : {Node_kind::STORED, Node_kind::LAZY, Node_kind::EQUALIZED}) {
+  for (const Build_options::Nodes kind :
+       {Build_options::Nodes::STORED, Build_options::Nodes::LAZY, Build_options::Nodes::EQUALIZED}) {
     const Bca_tree tree(spiral_segments(three_curves()), 1e-3, nodes_of_kind(kind));
     std::size_t leaves = 0, ends = 0;
     tree.for_each_leaf([&](const Node_handle& h) {

@@ -338,7 +338,7 @@ TEST(JoinCurves, ShapesThatAreCutShuffledReversedAndMovedAreTheShapesAgain) {
       ASSERT_EQ(curve.beziers.size(), joined.parts[i].size()) << "seed " << seed;
       count += curve.beziers.size();
       for (std::size_t k = 0; k < curve.beziers.size(); ++k) {
-        const Joined_part& part = joined.parts[i][k];
+        const Joined_curves::Part& part = joined.parts[i][k];
         const Piece before = part.is_reversed ? pieces[part.curve].reversed() : pieces[part.curve];
         ASSERT_EQ(before.weights(), curve.beziers[k].weights()) << "seed " << seed;
         for (const double t : {0.0, 0.1, 0.5, 0.8, 1.0}) {

@@ -7,7 +7,7 @@
 
 #include "bulge_arcs.h"
 
-#include <CGAL/Bounding_arcs_2/exchange/polygon_area.h>
+#include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>
 #include <CGAL/Bounding_arcs_2/exchange/widened_outline.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
@@ -149,7 +149,7 @@ std::vector<Arc_region_2> regions() {
   return all;
 }
 
-std::vector<Arc_2> arcs_of_side(const Arc_region_2& region, const Arc_side_2& side) {
+std::vector<Arc_2> arcs_of_side(const Arc_region_2& region, const Arc_region_2::Side& side) {
   if (side.size == 1) return {{region.from, region.to, side.bulges[0]}};
   return {{region.from, side.joint, side.bulges[0]}, {side.joint, region.to, side.bulges[1]}};
 }
@@ -164,7 +164,7 @@ TEST(WidenedOutline, HoldsAllThatIsAsNearAsTheWidening) {
           << widening << ", bulges " << region.inner.bulges[0] << " " << region.outer.bulges[0] << ", arcs "
           << region.outer.size;
       const Polygon_set set(polygon);
-      for (const Arc_side_2& side : {region.inner, region.outer})
+      for (const Arc_region_2::Side& side : {region.inner, region.outer})
         for (const Arc_2& arc : arcs_of_side(region, side))
           for (int i = 0; i <= 6; ++i)
             for (int k = 0; k < 8; ++k) {
@@ -177,7 +177,7 @@ TEST(WidenedOutline, HoldsAllThatIsAsNearAsTheWidening) {
             }
       for (const Arc_2& arc : outline.arcs) {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Arc_side_2& side : {region.inner, region.outer})
+        for (const Arc_region_2::Side& side : {region.inner, region.outer})
           for (const Arc_2& of_region : arcs_of_side(region, side))
             nearest = (std::min)(nearest, bounding_arcs_test::distance_from(of_region, arc.from));
         EXPECT_LE(nearest, outline.reach);

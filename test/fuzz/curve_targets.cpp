@@ -48,9 +48,9 @@ void build(const std::uint8_t* data, std::size_t size) {
 
 void arcs(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::Arc_chain_options options;
-  options.continuity = bytes.choice(2) == 0 ? ba::Continuity::TANGENT : ba::Continuity::POSITION;
-  options.side = static_cast<ba::Chain_side>(bytes.choice(3));
+  ba::Arc_chain::Options options;
+  options.continuity = bytes.choice(2) == 0 ? ba::Arc_chain::Continuity::TANGENT : ba::Arc_chain::Continuity::POSITION;
+  options.side = static_cast<ba::Arc_chain::Side>(bytes.choice(3));
   options.max_arcs = 2000;
   const auto records = bytes.curves(2, 6);
   attempt([&] {
@@ -58,7 +58,7 @@ void arcs(const std::uint8_t* data, std::size_t size) {
     const ba::Arc_chain chain = ba::arc_chain(ba::Bounding_arc_tree_2(ba::drawing<double>(records)), eps, options);
     if (chain.status == ba::Build_status::COMPLETE) expect(chain.error <= eps, "no arc is farther than eps");
     if (chain.status == ba::Build_status::REGION_LIMIT) return;
-    for (const ba::Chain_arc_2& arc : chain.arcs) {
+    for (const ba::Arc_chain::Arc& arc : chain.arcs) {
       expect(std::isfinite(arc.from.x + arc.to.y) && std::isfinite(arc.bulge), "arcs are numbers");
       expect(arc.error <= chain.error, "the error is the largest");
     }

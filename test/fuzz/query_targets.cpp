@@ -65,10 +65,10 @@ void query(const std::uint8_t* data, std::size_t size) {
 
 void offset(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::Offset_options options;
-  options.join = static_cast<ba::Offset_join>(bytes.choice(3));
-  options.cap = static_cast<ba::Offset_cap>(bytes.choice(3));
-  options.side = static_cast<ba::Offset_side>(bytes.choice(3));
+  ba::Offset::Options options;
+  options.join = static_cast<ba::Offset::Join>(bytes.choice(3));
+  options.cap = static_cast<ba::Offset::Cap>(bytes.choice(3));
+  options.side = static_cast<ba::Offset::Side>(bytes.choice(3));
   options.rule = static_cast<ba::Fill_rule>(bytes.choice(2));
   const double part = (static_cast<double>(bytes.byte()) - 128) / 256;
   attempt([&] {
@@ -83,8 +83,8 @@ void offset(const std::uint8_t* data, std::size_t size) {
     }
     const double eps = bytes.tolerance(extent, -4, 12);
     const ba::Offset found = ba::offset(ba::Bounding_arc_tree_2(drawing), part * extent, eps, options);
-    if (found.status == ba::Offset_status::COMPLETE) expect(found.error <= eps, "no point is too far");
-    for (const ba::Offset_chain& chain : found.chains) {
+    if (found.status == ba::Offset::Status::COMPLETE) expect(found.error <= eps, "no point is too far");
+    for (const ba::Offset::Chain& chain : found.chains) {
       expect(!chain.pieces.empty(), "a chain has a piece");
       for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i)
         expect(chain.pieces[i].arc.to == chain.pieces[i + 1].arc.from, "pieces follow each other");
@@ -95,16 +95,16 @@ void offset(const std::uint8_t* data, std::size_t size) {
 
 void medial_axis(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.rule = static_cast<ba::Fill_rule>(bytes.choice(2));
   attempt([&] {
     double extent = 0;
     const ba::Bounding_arc_tree_2 index(closed_drawing(bytes, extent));
     const ba::Medial_axis_2 axis = ba::medial_axis(index, bytes.tolerance(extent, -4, 12), options);
-    if (axis.status != ba::Medial_axis_status::COMPLETE) return;
-    for (const ba::Medial_vertex& vertex : axis.vertices)
+    if (axis.status != ba::Medial_axis_2::Status::COMPLETE) return;
+    for (const ba::Medial_axis_2::Vertex& vertex : axis.vertices)
       expect(std::isfinite(vertex.center.x + vertex.center.y) && vertex.radius >= 0, "a disc has a radius");
-    for (const ba::Medial_edge& edge : axis.edges)
+    for (const ba::Medial_axis_2::Edge& edge : axis.edges)
       expect(edge.from < axis.vertices.size() && edge.to < axis.vertices.size(), "an edge has ends");
   });
 }

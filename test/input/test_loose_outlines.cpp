@@ -182,15 +182,15 @@ template <class Places> void expect_at_distance(const Bounding_arc_tree_2& tree,
 
 std::vector<std::pair<Point, double>> places_of(const Offset& offset) {
   std::vector<std::pair<Point, double>> places;
-  for (const Offset_chain& chain : offset.chains)
-    for (const Offset_piece& piece : chain.pieces)
+  for (const Offset::Chain& chain : offset.chains)
+    for (const Offset::Piece& piece : chain.pieces)
       for (const double t : {0.0, 0.5}) places.emplace_back(point(piece.arc, t), std::fabs(offset.distance));
   return places;
 }
 std::vector<std::pair<Point, double>> places_of(const Medial_axis_2& axis) {
   std::vector<std::pair<Point, double>> places;
-  for (const Medial_edge& edge : axis.edges)
-    for (const Medial_sample& sample : edge.samples) places.emplace_back(sample.center, sample.radius);
+  for (const Medial_axis_2::Edge& edge : axis.edges)
+    for (const Medial_axis_2::Sample& sample : edge.samples) places.emplace_back(sample.center, sample.radius);
   return places;
 }
 
@@ -217,7 +217,7 @@ TEST(LooseOutlines, AreTheShapesOrTheAmbiguousPlaceIsTold) {
     Drawing_2<double> closed, original;
     for (std::size_t k = 0; k < joined.parts.size(); ++k) {
       std::set<std::size_t> shapes;
-      for (const Joined_part& part : joined.parts[k]) shapes.insert(shape_of[part.curve]);
+      for (const Joined_curves::Part& part : joined.parts[k]) shapes.insert(shape_of[part.curve]);
       ASSERT_EQ(shapes.size(), 1u) << "parts of two shapes are joined";
       const std::size_t shape = *shapes.begin();
       if (shape == made.shapes.size()) continue;
@@ -228,7 +228,7 @@ TEST(LooseOutlines, AreTheShapesOrTheAmbiguousPlaceIsTold) {
     ASSERT_EQ(closed.curves().size(), made.shapes.size());
     for (const Shape& shape : made.shapes) original.add(shape);
     const Bounding_arc_tree_2 of_closed(closed), of_original(original);
-    Offset_options options;
+    Offset::Options options;
     options.rule = Fill_rule::EVEN_ODD;
     constexpr double OFFSET_EPS = EPS / 8, ALLOWED = EPS / 2 + 2 * OFFSET_EPS;
     for (const double d : {-0.1, 0.2}) {
@@ -240,7 +240,7 @@ TEST(LooseOutlines, AreTheShapesOrTheAmbiguousPlaceIsTold) {
     }
     if (seed % 10 != 0) continue;
     ++axes;
-    Medial_axis_options axis_options;
+    Medial_axis_2::Options axis_options;
     axis_options.rule = options.rule;
     const Medial_axis_2 a = medial_axis(of_closed, OFFSET_EPS, axis_options),
                         b = medial_axis(of_original, OFFSET_EPS, axis_options);

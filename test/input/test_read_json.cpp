@@ -138,9 +138,9 @@ TEST(ReadJson, KeepsUnitLayersAndColours) {
   EXPECT_EQ(file.unit_in_mm, 25.4);
   ASSERT_EQ(file.curves.size(), 2u);
   EXPECT_EQ(file.curves[0].layer, "Cut");
-  EXPECT_EQ(file.curves[0].colour, (CGAL::Bounding_arcs::Curve_colour{3, -1}));
+  EXPECT_EQ(file.curves[0].colour, (CGAL::Bounding_arcs::Curve_record::Colour{3, -1}));
   EXPECT_EQ(file.curves[1].layer, "");
-  EXPECT_EQ(file.curves[1].colour, (CGAL::Bounding_arcs::Curve_colour{0, 0x0a80ff}));
+  EXPECT_EQ(file.curves[1].colour, (CGAL::Bounding_arcs::Curve_record::Colour{0, 0x0a80ff}));
   for (const auto& record : file.curves) EXPECT_TRUE(record.y_is_down);
   const auto one = read("{\"unit_in_mm\":1,\"layer\":\"a\"," + line + "}");
   EXPECT_EQ(one.unit_in_mm, 1);

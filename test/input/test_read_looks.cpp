@@ -12,7 +12,7 @@ namespace test_read_looks {
 namespace {
 
 using namespace bounding_arcs_test;
-using CGAL::Bounding_arcs::Curve_colour;
+using CGAL::Bounding_arcs::Curve_record;
 
 Curve_file read_file(const std::string& text) { return read_curve_file_from_text(text, "in", "in"); }
 
@@ -24,33 +24,33 @@ Records dxf(const std::string& entities, const std::string& blocks = "") {
       blocks + "0|ENDSEC|0|SECTION|2|ENTITIES|" + entities + "0|ENDSEC|0|EOF|";
   for (char& c : text)
     if (c == '|') c = '\n';
-  Reading_options options;
+  Curve_file::Options options;
   options.with_hidden = true;
   return read_curve_file_from_text(text, "in", "in", options).curves;
 }
 std::string line(const std::string& layer, const std::string& colour, const std::string& end = "3") {
   return "0|LINE|8|" + layer + "|" + colour + "10|0|20|0|11|" + end + "|21|4|";
 }
-Curve_colour colour_of_line(const std::string& layer, const std::string& colour) {
+Curve_record::Colour colour_of_line(const std::string& layer, const std::string& colour) {
   return dxf(line(layer, colour)).front().colour;
 }
 
 TEST(ReadLooks, ColoursOfDxfAreThoseOfTheEntityOrItsLayer) {
-  EXPECT_EQ(colour_of_line("Red", ""), (Curve_colour{1, -1}));
-  EXPECT_EQ(colour_of_line("rED", "62|256|"), (Curve_colour{1, -1}));
-  EXPECT_EQ(colour_of_line("Red", "62|4|"), (Curve_colour{4, -1}));
-  EXPECT_EQ(colour_of_line("Red", "62|4|420|66051|"), (Curve_colour{4, 66051}));
-  EXPECT_EQ(colour_of_line("Red", "420|66051|"), (Curve_colour{0, 66051}));
-  EXPECT_EQ(colour_of_line("True", ""), (Curve_colour{5, 255}));
-  EXPECT_EQ(colour_of_line("Off", ""), (Curve_colour{3, -1})) << "a layer that is off";
-  EXPECT_EQ(colour_of_line("elsewhere", ""), (Curve_colour{7, -1}));
-  EXPECT_EQ(colour_of_line("Red", "62|0|"), (Curve_colour{7, -1})) << "by block outside of one";
+  EXPECT_EQ(colour_of_line("Red", ""), (Curve_record::Colour{1, -1}));
+  EXPECT_EQ(colour_of_line("rED", "62|256|"), (Curve_record::Colour{1, -1}));
+  EXPECT_EQ(colour_of_line("Red", "62|4|"), (Curve_record::Colour{4, -1}));
+  EXPECT_EQ(colour_of_line("Red", "62|4|420|66051|"), (Curve_record::Colour{4, 66051}));
+  EXPECT_EQ(colour_of_line("Red", "420|66051|"), (Curve_record::Colour{0, 66051}));
+  EXPECT_EQ(colour_of_line("True", ""), (Curve_record::Colour{5, 255}));
+  EXPECT_EQ(colour_of_line("Off", ""), (Curve_record::Colour{3, -1})) << "a layer that is off";
+  EXPECT_EQ(colour_of_line("elsewhere", ""), (Curve_record::Colour{7, -1}));
+  EXPECT_EQ(colour_of_line("Red", "62|0|"), (Curve_record::Colour{7, -1})) << "by block outside of one";
 }
 
 TEST(ReadLooks, ColoursThatMeanNothingCostNoEntity) {
   for (const char* colour : {"62|x|", "62|999|", "420|-7|", "420|99999999|", "62|1e3|420||"})
-    EXPECT_EQ(colour_of_line("Red", colour), (Curve_colour{1, -1})) << colour;
-  EXPECT_EQ(colour_of_line("Odd", ""), (Curve_colour{0, -1}));
+    EXPECT_EQ(colour_of_line("Red", colour), (Curve_record::Colour{1, -1})) << colour;
+  EXPECT_EQ(colour_of_line("Odd", ""), (Curve_record::Colour{0, -1}));
 }
 
 TEST(ReadLooks, ColoursInBlocksAreThoseOfTheInsertion) {
@@ -58,11 +58,12 @@ TEST(ReadLooks, ColoursInBlocksAreThoseOfTheInsertion) {
                             line("0", "", "3") + line("Red", "", "4") + line("Red", "62|2|", "5") + "0|ENDBLK|";
   const Records records = dxf("0|INSERT|8|True|62|6|2|b|10|7|20|8|", block);
   ASSERT_EQ(records.size(), 5u);
-  EXPECT_EQ(records[0].colour, (Curve_colour{6, -1}));
-  EXPECT_EQ(records[1].colour, (Curve_colour{6, -1}));
-  EXPECT_EQ(records[2].colour, (Curve_colour{5, 255})) << "on layer 0 of a block, by the layer of the insertion";
-  EXPECT_EQ(records[3].colour, (Curve_colour{1, -1}));
-  EXPECT_EQ(records[4].colour, (Curve_colour{2, -1}));
+  EXPECT_EQ(records[0].colour, (Curve_record::Colour{6, -1}));
+  EXPECT_EQ(records[1].colour, (Curve_record::Colour{6, -1}));
+  EXPECT_EQ(records[2].colour, (Curve_record::Colour{5, 255}))
+      << "on layer 0 of a block, by the layer of the insertion";
+  EXPECT_EQ(records[3].colour, (Curve_record::Colour{1, -1}));
+  EXPECT_EQ(records[4].colour, (Curve_record::Colour{2, -1}));
 }
 
 Records svg(const std::string& shapes) {
@@ -77,14 +78,14 @@ TEST(ReadLooks, ColoursOfSvgAreThoseOfStrokesOrElseFills) {
   const auto colour = [](const std::string& attributes) {
     return svg("<g stroke='#123456'><rect width='4' height='2' " + attributes + "/></g>").front().colour;
   };
-  EXPECT_EQ(colour(""), (Curve_colour{0, 0x123456}));
-  EXPECT_EQ(colour("stroke='#F0a'"), (Curve_colour{0, 0xFF00AA}));
-  EXPECT_EQ(colour("style='stroke: RGB( 255, 0 ,10)'"), (Curve_colour{0, 0xFF000A}));
-  EXPECT_EQ(colour("stroke='rgb(100%,0%,20%)'"), (Curve_colour{0, 0xFF0033}));
-  EXPECT_EQ(colour("stroke='none' fill='navy'"), (Curve_colour{0, 0x80}));
-  EXPECT_EQ(colour("stroke='none'"), (Curve_colour{0, -1}));
+  EXPECT_EQ(colour(""), (Curve_record::Colour{0, 0x123456}));
+  EXPECT_EQ(colour("stroke='#F0a'"), (Curve_record::Colour{0, 0xFF00AA}));
+  EXPECT_EQ(colour("style='stroke: RGB( 255, 0 ,10)'"), (Curve_record::Colour{0, 0xFF000A}));
+  EXPECT_EQ(colour("stroke='rgb(100%,0%,20%)'"), (Curve_record::Colour{0, 0xFF0033}));
+  EXPECT_EQ(colour("stroke='none' fill='navy'"), (Curve_record::Colour{0, 0x80}));
+  EXPECT_EQ(colour("stroke='none'"), (Curve_record::Colour{0, -1}));
   for (const char* odd : {"#12345", "#12g456", "#-12345", "rgb(1,2)", "rgb(1,2,3", "url(#a)", "currentColor"})
-    EXPECT_EQ(colour(std::string("stroke='") + odd + "'"), (Curve_colour{0, -1})) << odd;
+    EXPECT_EQ(colour(std::string("stroke='") + odd + "'"), (Curve_record::Colour{0, -1})) << odd;
 }
 
 TEST(ReadLooks, LayersOfSvgAreThoseOfInkscape) {

@@ -22,7 +22,7 @@ std::string path(const std::string& attributes) { return "<path " + attributes +
 Fill_rule rule(const std::string& content) { return read_svg_file(content).rule; }
 
 // The notes of a drawing that has a line beside.
-std::string notes(const std::string& content, const Reading_options& options = {}) {
+std::string notes(const std::string& content, const Curve_file::Options& options = {}) {
   return text_of(read_svg_file("<line x2='1'/>" + content, options).notes);
 }
 

@@ -26,9 +26,9 @@ namespace {
 
 using namespace bounding_arcs_test;
 
-std::vector<double> lengths_of(const std::vector<ba::Axis_branch>& branches) {
+std::vector<double> lengths_of(const std::vector<ba::Medial_axis_2::Branch>& branches) {
   std::vector<double> lengths;
-  for (const ba::Axis_branch& b : branches) lengths.push_back(b.length);
+  for (const ba::Medial_axis_2::Branch& b : branches) lengths.push_back(b.length);
   return lengths;
 }
 
@@ -72,7 +72,7 @@ TEST(AxisBranches, OfADiscAndARingAreAPlaceAndAWayRound) {
 
 // All lines between samples of the axis, the same as those of branches, where radii are no larger.
 using Line = std::pair<std::pair<double, double>, std::pair<double, double>>;
-Line line_of(const ba::Medial_sample& s, const ba::Medial_sample& t) {
+Line line_of(const ba::Medial_axis_2::Sample& s, const ba::Medial_axis_2::Sample& t) {
   const std::pair<double, double> a{s.center.x, s.center.y}, b{t.center.x, t.center.y};
   return a < b ? Line{a, b} : Line{b, a};
 }
@@ -84,24 +84,24 @@ TEST(AxisBranches, HaveEachLineOfTheAxisOnce) {
     const Medial_axis_2 axis = axis_of(drawing, 1e-3);
     ASSERT_EQ(axis.status, Status::COMPLETE);
     double most = 0;
-    for (const ba::Medial_vertex& v : axis.vertices) most = (std::max)(most, v.radius);
+    for (const ba::Medial_axis_2::Vertex& v : axis.vertices) most = (std::max)(most, v.radius);
     const double largest = i % 2 == 0 ? std::numeric_limits<double>::infinity() : share(random) * most;
     std::multiset<Line> wanted, found;
     std::size_t ends = 0;  // lines that are cut
-    for (const ba::Medial_edge& e : axis.edges)
+    for (const ba::Medial_axis_2::Edge& e : axis.edges)
       for (std::size_t k = 1; k < e.samples.size(); ++k) {
-        const ba::Medial_sample &s = e.samples[k - 1], &t = e.samples[k];
+        const ba::Medial_axis_2::Sample &s = e.samples[k - 1], &t = e.samples[k];
         if ((std::max)(s.radius, t.radius) <= largest) wanted.insert(line_of(s, t));
         else ends += (std::min)(s.radius, t.radius) <= largest ? 1 : 0;
       }
     const auto branches = ba::axis_branches(axis, largest);
     std::size_t part = 0;
-    for (const ba::Axis_branch& b : branches) {
+    for (const ba::Medial_axis_2::Branch& b : branches) {
       EXPECT_TRUE(b.part == part || b.part == part + 1);
       part = b.part;
       double length = 0;
       for (std::size_t k = 1; k < b.samples.size(); ++k) {
-        const ba::Medial_sample &s = b.samples[k - 1], &t = b.samples[k];
+        const ba::Medial_axis_2::Sample &s = b.samples[k - 1], &t = b.samples[k];
         EXPECT_LE((std::max)(s.radius, t.radius), largest);
         length += std::hypot(t.center.x - s.center.x, t.center.y - s.center.y);
         const bool is_cut = (s.radius == largest || t.radius == largest) && wanted.count(line_of(s, t)) == 0;
@@ -154,10 +154,10 @@ TEST(AxisBranches, ComeLongestFirst) {
   EXPECT_TRUE(std::is_sorted(lengths.rbegin(), lengths.rend()));
   EXPECT_GT(lengths[0], 12);
   std::set<std::pair<double, double>> cut;
-  for (const ba::Axis_branch& b : found) {
+  for (const ba::Medial_axis_2::Branch& b : found) {
     const Point from = b.samples.front().center;
     EXPECT_TRUE(cut.empty() || cut.count({from.x, from.y}) == 1);
-    for (const ba::Medial_sample& s : b.samples) cut.insert({s.center.x, s.center.y});
+    for (const ba::Medial_axis_2::Sample& s : b.samples) cut.insert({s.center.x, s.center.y});
   }
 }
 

@@ -28,8 +28,6 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Axis_certificate;
-using ba::Edge_reason;
-using ba::Edge_status;
 
 Drawing bundled(const std::string& name) { return ba::read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/" + name + ".json"); }
 const std::vector<std::string>& closed_names() {
@@ -47,7 +45,7 @@ void expect_proven(const Drawing& drawing, const Medial_axis_2& axis) {
   EXPECT_TRUE(proof.is_proven());
   ASSERT_EQ(proof.edges.size(), axis.edges.size());
   for (const auto& e : proof.edges) {
-    EXPECT_EQ(e.status, Edge_status::PROVEN) << name_of(e.reason);
+    EXPECT_EQ(e.status, Axis_certificate::Status::PROVEN) << name_of(e.reason);
     EXPECT_LE(e.bound, axis.eps);
     EXPECT_LE(e.bound, proof.bound);
   }
@@ -123,7 +121,7 @@ TEST(AxisCertificate, BringsFeetToWhereCentersAreOnNormals) {
   const Drawing drawing = bundled("d_rabbit");
   Medial_axis_2 axis = axis_of(drawing, 1e-6);
   int moved = 0;
-  for (ba::Medial_edge& e : axis.edges) {
+  for (ba::Medial_axis_2::Edge& e : axis.edges) {
     const std::size_t i = e.samples.size() / 2;
     ba::Curve_place& foot = e.samples[i].left;
     const ba::Curve_place &before = e.samples[i - 1].left, &next = e.samples[i + 1].left;
@@ -140,12 +138,12 @@ TEST(AxisCertificate, TakesDiscsOfTheSameFeetThatAreBackToFront) {
       drawing_of(closed_chain({{-2, -2}, {2, -2}, {0.5, 0}, {2, 2}, {-2, 2}, {-0.5, 0}}));
   Medial_axis_2 axis = axis_of(drawing, 1e-4);
   int swapped = 0;
-  for (ba::Medial_edge& e : axis.edges)
+  for (ba::Medial_axis_2::Edge& e : axis.edges)
     for (std::size_t i = 1; i < e.samples.size() && swapped == 0; ++i) {
-      const ba::Medial_sample &s = e.samples[i - 1], t = e.samples[i];
+      const ba::Medial_axis_2::Sample &s = e.samples[i - 1], t = e.samples[i];
       const auto are_same = [](const auto& p, const auto& q) { return p.bezier == q.bezier && p.t == q.t; };
       if (!are_same(s.left, t.left) || !are_same(s.right, t.right) || s.radius == t.radius) continue;
-      ba::Medial_sample past = t;
+      ba::Medial_axis_2::Sample past = t;
       past.center = past.center + 1e-5 * (t.center - s.center);
       e.samples.insert(e.samples.begin() + static_cast<std::ptrdiff_t>(i), past);
       ++swapped;
@@ -164,10 +162,10 @@ TEST(AxisCertificate, ProvesAllEdgesBetweenStraightSides) {
 }
 
 // The distance, radius included, of a disc from the samples' lines next to one of them.
-double distance_from(const ba::Medial_edge& edge, std::size_t line, const Point& center, double radius) {
+double distance_from(const ba::Medial_axis_2::Edge& edge, std::size_t line, const Point& center, double radius) {
   double least = HUGE_VAL;
   for (std::size_t i = line < 2 ? 0 : line - 2; i < (std::min)(line + 3, edge.samples.size() - 1); ++i) {
-    const ba::Medial_sample &s = edge.samples[i], &t = edge.samples[i + 1];
+    const ba::Medial_axis_2::Sample &s = edge.samples[i], &t = edge.samples[i + 1];
     const Point chord = t.center - s.center, way = center - s.center;
     const double square = dot(chord, chord), share = square > 0 ? std::clamp(dot(way, chord) / square, 0.0, 1.0) : 0;
     const Point off = way - share * chord;
@@ -181,12 +179,12 @@ struct Measured {
   double most = 0;
   int discs = 0, precise = 0;
 };
-Measured measured(const ba::Bounding_arc_tree_2& curves, const ba::Maximal_discs_2& discs, const ba::Medial_edge& edge,
-                  std::size_t count, int one_in) {
+Measured measured(const ba::Bounding_arc_tree_2& curves, const ba::Maximal_discs_2& discs,
+                  const ba::Medial_axis_2::Edge& edge, std::size_t count, int one_in) {
   Measured result;
   const std::size_t lines = edge.samples.size() - 1, each = 1 + count / lines;
   for (std::size_t i = 0; i < lines; ++i) {
-    const ba::Medial_sample &s = edge.samples[i], &t = edge.samples[i + 1];
+    const ba::Medial_axis_2::Sample &s = edge.samples[i], &t = edge.samples[i + 1];
     for (const auto& [a, b] : {std::pair(s.left, t.left), std::pair(s.right, t.right)}) {
       if (a.curve != b.curve || a.bezier != b.bezier || a.t == b.t) continue;
       for (std::size_t k = 1; k <= each; ++k) {
@@ -299,13 +297,14 @@ TEST_F(UnprovenAxis, HasFeetThatLeaveAPartOut) {
   EXPECT_FALSE(proof.is_tiled);
   EXPECT_FALSE(proof.is_euler);
   EXPECT_FALSE(proof.is_proven());
-  for (const auto& e : proof.edges) EXPECT_EQ(e.reason, Edge_reason::ELSEWHERE);
+  for (const auto& e : proof.edges) EXPECT_EQ(e.reason, Axis_certificate::Reason::ELSEWHERE);
 }
 TEST_F(UnprovenAxis, HasASampleThatIsMoved) {
   const Axis_certificate proof = broken_by([](auto& a) { a.edges[0].samples[1].center.x += 2e-4; });
   EXPECT_FALSE(proof.is_proven());
-  EXPECT_EQ(proof.edges[0].status, Edge_status::ESTIMATED);
-  EXPECT_TRUE(proof.edges[0].reason == Edge_reason::BAND || proof.edges[0].reason == Edge_reason::CELL);
+  EXPECT_EQ(proof.edges[0].status, Axis_certificate::Status::ESTIMATED);
+  EXPECT_TRUE(proof.edges[0].reason == Axis_certificate::Reason::BAND ||
+              proof.edges[0].reason == Axis_certificate::Reason::CELL);
 }
 TEST_F(UnprovenAxis, HasATighterTolerance) {
   const Axis_certificate proof = broken_by([](auto& a) { a.eps = 1e-5; });
@@ -319,13 +318,13 @@ TEST_F(UnprovenAxis, HasFeetOnOtherCurves) {
     auto& foot = a.edges[0].samples[1].left;
     foot.bezier = (foot.bezier + 20) % 44;
   });
-  EXPECT_EQ(proof.edges[0].reason, Edge_reason::FEET);
+  EXPECT_EQ(proof.edges[0].reason, Axis_certificate::Reason::FEET);
 }
 TEST_F(UnprovenAxis, HasItsSidesSwapped) {
   const Axis_certificate proof = broken_by([](auto& a) {
     for (auto& s : a.edges[0].samples) std::swap(s.left, s.right);
   });
-  EXPECT_EQ(proof.edges[0].reason, Edge_reason::CELL);
+  EXPECT_EQ(proof.edges[0].reason, Axis_certificate::Reason::CELL);
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ namespace test_axis_conics {
 namespace {
 
 using namespace bounding_arcs_test;
-using Conics = std::vector<std::vector<ba::Axis_conic>>;
+using Conics = std::vector<std::vector<ba::Medial_axis_2::Conic>>;
 
 Conics conics_of(const Drawing& drawing, const Medial_axis_2& axis, double eps) {
   return ba::axis_conics(ba::Bounding_arc_tree_2(drawing), axis, eps);
 }
 
-Point at(const ba::Axis_conic& c, double t) {
+Point at(const ba::Medial_axis_2::Conic& c, double t) {
   const double a = (1 - t) * (1 - t), b = 2 * c.weight * t * (1 - t), d = t * t;
   return (1 / (a + b + d)) * (a * c.points[0] + b * c.points[1] + d * c.points[2]);
 }
@@ -40,7 +40,7 @@ Point point_of(const Drawing& drawing, const ba::Curve_place& p) {
   return drawing.curves()[p.curve].beziers[p.bezier].point(p.t);
 }
 
-double distance_from(const ba::Axis_conic& c, const Point& q) {
+double distance_from(const ba::Medial_axis_2::Conic& c, const Point& q) {
   double best = 0, nearest = std::numeric_limits<double>::infinity();
   constexpr int PLACES = 64;
   for (int i = 0; i <= PLACES; ++i) {
@@ -62,7 +62,7 @@ void expect_chains(const Medial_axis_2& axis, const Conics& conics) {
   for (std::size_t e = 0; e < conics.size(); ++e) {
     const auto& samples = axis.edges[e].samples;
     std::size_t next = 0;
-    for (const ba::Axis_conic& c : conics[e]) {
+    for (const ba::Medial_axis_2::Conic& c : conics[e]) {
       EXPECT_EQ(c.first, next);
       EXPECT_GT(c.last, c.first);
       EXPECT_EQ(c.points[0], samples[c.first].center);
@@ -81,7 +81,7 @@ TEST(AxisConics, AreLinesInASquare) {
   expect_chains(axis, conics);
   for (const auto& edge : conics) {
     ASSERT_EQ(edge.size(), 1u);
-    const ba::Axis_conic& c = edge[0];
+    const ba::Medial_axis_2::Conic& c = edge[0];
     EXPECT_NEAR(cross(c.points[1] - c.points[0], c.points[2] - c.points[0]), 0, 1e-14);
   }
 }
@@ -95,7 +95,7 @@ TEST(AxisConics, AreParabolasAtAReflexCorner) {
   const Conics conics = conics_of(shape, axis, 1e-9);
   expect_chains(axis, conics);
   for (const auto& edge : conics)
-    for (const ba::Axis_conic& c : edge) {
+    for (const ba::Medial_axis_2::Conic& c : edge) {
       if (!(c.left.from == c.left.to) && !(c.right.from == c.right.to)) continue;
       const ba::Arc_2& line = c.left.from == c.left.to ? c.right : c.left;
       if (std::fabs(cross(c.points[1] - c.points[0], c.points[2] - c.points[0])) < 1e-6) continue;
@@ -131,7 +131,7 @@ TEST(AxisConics, AreEllipsesBetweenCircles) {
   expect_chains(axis, conics);
   std::size_t count = 0;
   for (const auto& edge : conics)
-    for (const ba::Axis_conic& c : edge) {
+    for (const ba::Medial_axis_2::Conic& c : edge) {
       ++count;
       EXPECT_LT(c.weight, 1);
       for (const double t : {0.0, 0.3, 0.5, 0.9}) {
@@ -157,7 +157,7 @@ TEST(AxisConics, AreAsNearToMaximalDiscsAsTold) {
       const Conics conics = ba::axis_conics(tree, axis, eps);
       expect_chains(axis, conics);
       for (std::size_t e = 0; e < conics.size(); ++e)
-        for (const ba::Axis_conic& c : conics[e]) {
+        for (const ba::Medial_axis_2::Conic& c : conics[e]) {
           const auto &s = axis.edges[e].samples[c.first], &t = axis.edges[e].samples[c.last];
           EXPECT_LE(c.error, eps);
           if (s.left.curve != t.left.curve || s.left.bezier != t.left.bezier || s.left.t == t.left.t) continue;
@@ -198,7 +198,7 @@ Drawing wavy_band(std::mt19937& random) {
   band.emplace_back(std::vector<Point>{{0, width}, {0, 0}});
   return drawing_of(band);
 }
-double distance_from(const std::vector<ba::Medial_sample>& samples, std::size_t first, std::size_t last,
+double distance_from(const std::vector<ba::Medial_axis_2::Sample>& samples, std::size_t first, std::size_t last,
                      const Point& q) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = first; i < last; ++i) {
@@ -213,7 +213,7 @@ double distance_from(const std::vector<ba::Medial_sample>& samples, std::size_t 
 std::size_t expect_within(const Medial_axis_2& axis, const Conics& conics, double size) {
   std::size_t count = 0;
   for (std::size_t e = 0; e < conics.size(); ++e)
-    for (const ba::Axis_conic& c : conics[e]) {
+    for (const ba::Medial_axis_2::Conic& c : conics[e]) {
       ++count;
       const double chord = euclidean_norm(c.points[2] - c.points[0]), rounding = 1e-12 * size;
       for (const std::size_t end : {0, 2})

@@ -10,8 +10,8 @@
 #include "closed_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 
@@ -51,7 +51,7 @@ Case random_case(std::mt19937& random) {
 TEST(Necks, AreWhereAShapeIsNarrow) {
   const Drawing hourglass =
       drawing_of(polygon({{0, 0}, {4, 0}, {5, 1.5}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {5, 2.5}, {4, 4}, {0, 4}}));
-  const std::vector<ba::Neck> found = ba::necks(axis_of(hourglass));
+  const std::vector<ba::Medial_axis_2::Neck> found = ba::necks(axis_of(hourglass));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].thickness(), 1, 1e-12);
   EXPECT_NEAR(found[0].disc.center.x, 5, 1e-6);
@@ -63,9 +63,9 @@ TEST(Necks, AreWhereAShapeIsNarrow) {
 
 TEST(Necks, OfASquareRingAreItsSides) {
   const Drawing ring = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{2, 2}, {4, 2}, {4, 4}, {2, 4}}));
-  const std::vector<ba::Neck> found = ba::necks(axis_of(ring));
+  const std::vector<ba::Medial_axis_2::Neck> found = ba::necks(axis_of(ring));
   ASSERT_EQ(found.size(), 4u);
-  for (const ba::Neck& neck : found) {
+  for (const ba::Medial_axis_2::Neck& neck : found) {
     EXPECT_NEAR(neck.thickness(), 2, 1e-12);
     EXPECT_NEAR(neck.prominence, 2 * std::sqrt(2) / (1 + std::sqrt(2)) - 1, 1e-9);  // the disc in a corner
   }
@@ -81,7 +81,7 @@ TEST(Necks, AreAllMinimaThatStandOut) {
     std::map<Disc, double> radius;
     std::map<Disc, std::vector<Disc>> beside;
     for (std::size_t e = 0; e < axis.edges.size(); ++e) {
-      const ba::Medial_edge& edge = axis.edges[e];
+      const ba::Medial_axis_2::Edge& edge = axis.edges[e];
       const auto disc = [&](std::size_t i) {
         if (i == 0) return Disc(axis.edges.size(), edge.from);
         return i + 1 == edge.samples.size() ? Disc(axis.edges.size(), edge.to) : Disc(e, i);
@@ -108,7 +108,7 @@ TEST(Necks, AreAllMinimaThatStandOut) {
       const double rises = is_lowest ? std::numeric_limits<double>::infinity() : highest - r;
       if (rises > axis.eps) expected.push_back({r, rises});
     }
-    for (const ba::Neck& neck : ba::necks(axis)) found.push_back({neck.disc.radius, neck.prominence});
+    for (const ba::Medial_axis_2::Neck& neck : ba::necks(axis)) found.push_back({neck.disc.radius, neck.prominence});
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](auto a, auto b) { return a.first < b.first; }));
     std::sort(expected.begin(), expected.end());
     std::sort(found.begin(), found.end());
@@ -293,7 +293,7 @@ Drawing open(Bezier curve) {
   drawing.add({std::move(curve)});
   return drawing;
 }
-std::size_t number_of_samples(const std::vector<std::vector<ba::Bisector_sample>>& chains) {
+std::size_t number_of_samples(const std::vector<std::vector<ba::Bisector_2::Sample>>& chains) {
   std::size_t count = 0;
   for (const auto& chain : chains) count += chain.size();
   return count;

@@ -168,7 +168,7 @@ Axis_case moved_case(const Axis_case& drawn, const ba::Medial_axis_2& axis) {
 
 void check_case(const Axis_case& drawn, std::mt19937& random) {
   const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
-  if (axis.status != ba::Medial_axis_status::COMPLETE)
+  if (axis.status != ba::Medial_axis_2::Status::COMPLETE)
     throw Fault("unresolved", axis.unresolved.empty() ? "anywhere"
                                                       : std::to_string(axis.unresolved.front().x) + " " +
                                                             std::to_string(axis.unresolved.front().y));
@@ -202,7 +202,7 @@ TEST_P(DrawnAxes, AreProven) {
     told_of(drawn, [&] {
       const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
       ++all;
-      if (axis.status == ba::Medial_axis_status::COMPLETE &&
+      if (axis.status == ba::Medial_axis_2::Status::COMPLETE &&
           ba::axis_certificate(ba::Bounding_arc_tree_2(drawn.drawing), axis).is_proven())
         ++proven;
     });
@@ -237,7 +237,7 @@ TEST(DrawnShapes, WithSliversOfStraightSidesAreProven) {
 TEST(DrawnShapes, BesideDiscsThatNearlyTouchAWholeArcAreComplete) {
   std::mt19937 random(1706);
   const Axis_case drawn = in_frame(random, loose_lines(random));
-  EXPECT_EQ(axis_of_case(drawn, 1e-4 * size_of(drawn.drawing)).status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(axis_of_case(drawn, 1e-4 * size_of(drawn.drawing)).status, ba::Medial_axis_2::Status::COMPLETE);
 }
 
 ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
@@ -247,7 +247,7 @@ TEST(DrawnShapes, OfTwoCirclesHaveTheSegmentBetweenTheirCenters) {
   Drawing drawing = drawing_of(circle_of(4, {39, 15}, 58, 0));
   drawing.add(circle_of(4, {6, 38}, 31, 0));
   const ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
-  ASSERT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  ASSERT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
   EXPECT_EQ(axis.vertices.size(), 2u);
   EXPECT_EQ(axis.edges.size(), 1u);
   EXPECT_NEAR(vertex_at(axis, {39, 15}, 1e-9).radius, 58, 1e-9);
@@ -262,7 +262,7 @@ TEST(DrawnShapes, ThatTouchAreApart) {
     Axis_case odd{drawing, {}};
     odd.options.rule = ba::Fill_rule::EVEN_ODD;
     const ba::Medial_axis_2 axis = axis_of_case(odd, 1e-3);
-    EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+    EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
     EXPECT_EQ(axis.regions, 2u);
     EXPECT_EQ(axis.vertices.size(), 2u);
     EXPECT_TRUE(axis.edges.empty());
@@ -284,7 +284,7 @@ TEST(DrawnShapes, OfLooseLinesAreClosed) {
     };
     for (int i = 0; i < 4; ++i) drawing.add({segment(near(corners[i]), near(corners[(i + 1) % 4]))});
     const ba::Medial_axis_2 axis = axis_in_frame(drawing);
-    EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+    EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
     EXPECT_EQ(axis.regions, 2u);
     EXPECT_EQ(axis.vertices.size(), expected.vertices.size());
     EXPECT_EQ(axis.edges.size(), expected.edges.size());
@@ -300,7 +300,7 @@ TEST(DrawnShapes, ThatAreDotsStay) {
     Drawing drawing = dot;
     drawing.add({segment({-2, 1}, {2, 1})});
     const ba::Medial_axis_2 axis = axis_in_frame(drawing);
-    EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+    EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
     EXPECT_EQ(axis.holes, 2u);
     for (const auto& v : axis.vertices) EXPECT_LE(v.radius, std::hypot(v.center.x, v.center.y) + 1e-12);
   }
@@ -313,7 +313,7 @@ Drawing with_a_third_order_tip() {
 }
 TEST(DrawnShapes, ThatRoundingLeavesOpenAreMoved) {
   const ba::Medial_axis_2 axis = axis_of_case({with_a_third_order_tip(), {}}, 1e-3);
-  EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
   EXPECT_EQ(axis.vertices.size(), 4u);
   EXPECT_EQ(axis.edges.size(), 3u);
   EXPECT_GT(axis.moved, 0);
@@ -326,16 +326,16 @@ TEST(DrawnShapes, WithATipOfThirdOrderAreVerified) {
   ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
   const ba::Axis_verification found = ba::verify_axis(drawing, axis);
   EXPECT_TRUE(found.is_right()) << found.findings.front().place;
-  const auto at_tip = std::find_if(axis.edges.begin(), axis.edges.end(), [&](const ba::Medial_edge& e) {
+  const auto at_tip = std::find_if(axis.edges.begin(), axis.edges.end(), [&](const ba::Medial_axis_2::Edge& e) {
     return distance_between(axis.vertices[e.to].center, {-1, -2}) < 1e-4;
   });
   ASSERT_NE(at_tip, axis.edges.end());
   at_tip->samples.pop_back();
-  const ba::Medial_sample& last = at_tip->samples.back();
+  const ba::Medial_axis_2::Sample& last = at_tip->samples.back();
   axis.vertices[at_tip->to] = {last.center, last.radius, {last.left, last.right}, {last.radius, last.radius}};
   const ba::Axis_verification broken = ba::verify_axis(drawing, axis);
   ASSERT_FALSE(broken.is_right());
-  EXPECT_EQ(broken.findings.front().fault, ba::Axis_fault::TILING);
+  EXPECT_EQ(broken.findings.front().fault, ba::Axis_verification::Fault::TILING);
 }
 
 // Two arcs are left of the circle: its disc touches both, and is one vertex.
@@ -343,8 +343,8 @@ TEST(DrawnShapes, HaveOneDiscForAllPartsOfACircle) {
   Drawing drawing = drawing_of(circle_of(4, {0, 0}, 3, 0));
   for (const double x : {-3.0, 3.0}) drawing.add(turned(rectangle(1, 1), {1, 0}, {x, 0}));
   const ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
-  ASSERT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
-  const auto is_central = [](const ba::Medial_vertex& v) { return std::hypot(v.center.x, v.center.y) < 1e-9; };
+  ASSERT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
+  const auto is_central = [](const ba::Medial_axis_2::Vertex& v) { return std::hypot(v.center.x, v.center.y) < 1e-9; };
   EXPECT_EQ(std::count_if(axis.vertices.begin(), axis.vertices.end(), is_central), 1);
 }
 

@@ -197,7 +197,7 @@ TEST(CrossingCurves, HaveTheAxisOfWhatTheyFill) {
   // two squares that overlap
   Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   constexpr double EPS = 1e-6;
   const Medial_axis_2 both = ba::medial_axis(ba::Bounding_arc_tree_2(drawing), EPS, options);
   expect_sound(drawing, walls_of(drawing, options.rule), both, EPS, 2e-13);
@@ -213,7 +213,7 @@ TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Drawing drawing = random_lattice_drawing(random, 4);
-    ba::Medial_axis_options options;
+    ba::Medial_axis_2::Options options;
     options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
     const Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(drawing), 1e-3, options);
     const Drawing walls = walls_of(drawing, options.rule);
@@ -407,11 +407,11 @@ std::vector<double> numbers_of(const Medial_axis_2& axis) {
 TEST(FramedAxis, IsTheSameInAllThreads) {
   std::mt19937 random(6);
   const ba::Bounding_arc_tree_2 tree(ba::framed(spline_field(random, 12, 12), 1));
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   const Medial_axis_2 axis = ba::medial_axis(tree, 1e-3, options),
                       parallel = ba::medial_axis<CGAL::Parallel_tag>(tree, 1e-3, options);
-  EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
   EXPECT_EQ(parallel.status, axis.status);
   EXPECT_GT(axis.edges.size(), 900U);
   EXPECT_EQ(numbers_of(parallel), numbers_of(axis));
@@ -423,7 +423,7 @@ TEST(CrossingCurves, HaveTheSameAxisInAllThreads) {
   for (int i = 0; i < 60; ++i) drawing.add(closed_curve(random, {place(random), place(random)}, 5));
   const ba::Bounding_arc_tree_2 tree(drawing);
   const Medial_axis_2 axis = ba::medial_axis(tree, 1e-3), parallel = ba::medial_axis<CGAL::Parallel_tag>(tree, 1e-3);
-  EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
   EXPECT_GT(axis.edges.size(), 100U);
   EXPECT_EQ(numbers_of(parallel), numbers_of(axis));
 }

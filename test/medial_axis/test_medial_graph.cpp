@@ -56,11 +56,11 @@ TEST(MedialGraph, HasTheNumbersOfTheAxis) {
   }
   std::vector<int> seen(axis.edges.size(), 0);
   for (const auto e : boost::make_iterator_range(edges(graph))) {
-    const ba::Medial_edge& edge = axis.edges[graph[e].index];
+    const ba::Medial_axis_2::Edge& edge = axis.edges[graph[e].index];
     ++seen[graph[e].index];
     EXPECT_EQ(source(e, graph), edge.from);
     EXPECT_EQ(target(e, graph), edge.to);
-    for (const ba::Medial_sample& s : edge.samples) {
+    for (const ba::Medial_axis_2::Sample& s : edge.samples) {
       EXPECT_LE(graph[e].least_clearance, s.radius);
       EXPECT_GE(graph[e].most_clearance, s.radius);
     }

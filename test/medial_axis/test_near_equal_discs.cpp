@@ -96,7 +96,7 @@ TEST(NearEqualDiscs, AreAllKeptOfGridsAndCirclesOfPoints) {
 
 TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
   std::mt19937 random(17);
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.rule = ba::Fill_rule::EVEN_ODD;
   for (int i = 0; i < cases(100) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);

@@ -10,8 +10,8 @@
 #include "closed_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
@@ -35,7 +35,7 @@ using ba::Fill_rule;
 using Numbers = std::vector<std::uint32_t>;
 
 Medial_axis_2 axis_under(Fill_rule rule, const Drawing& drawing) {
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.rule = rule;
   return ba::medial_axis(ba::Bounding_arc_tree_2(drawing), 1e-5, options);
 }
@@ -65,11 +65,11 @@ void expect_same(const Medial_axis_2& a, const Medial_axis_2& b) {
 }
 // Insets at many depths have as many parts and holes as the axis has where its discs are larger.
 void expect_as_insets(const Drawing& drawing, const Medial_axis_2& axis, Fill_rule rule) {
-  ba::Offset_options options;
+  ba::Offset::Options options;
   options.rule = rule;
   for (const double d : {0.1, 0.3, 0.45}) {
     const ba::Offset inset = ba::offset(ba::Bounding_arc_tree_2(drawing), -d, 1e-6, options);
-    EXPECT_EQ(inset.status, ba::Offset_status::COMPLETE);
+    EXPECT_EQ(inset.status, ba::Offset::Status::COMPLETE);
     std::size_t outer = 0, holes = 0;
     for (const auto& chain : inset.chains) ++(chain.is_ccw ? outer : holes);
     EXPECT_EQ(outer, axis.regions);
@@ -131,7 +131,7 @@ TEST(NestedCurves, AreProvenAndVerified) {
       Medial_axis_2 axis = axis_under(rule, drawing);
       const ba::Bounding_arc_tree_2 tree(drawing);
       EXPECT_TRUE(ba::axis_certificate(tree, axis).is_proven());
-      ba::Axis_check_options options;
+      ba::Axis_verification::Options options;
       options.rule = rule;
       EXPECT_TRUE(ba::verify_axis(drawing, axis, options).is_right());
       if (axis.left_out.empty()) continue;
@@ -175,7 +175,7 @@ TEST(NestedCurves, AreNotSeenByNewLeaves) {
   const Medial_axis_2 axis = axis_of(nest), expected = axis_of(outer);
   ASSERT_EQ(axis.status, Status::COMPLETE);
   ASSERT_EQ(axis.left_out, Numbers{1});
-  const ba::Feet_apart apart{1, 0};
+  const ba::Medial_axis_2::Feet_apart apart{1, 0};
   const Medial_axis_2 cut = ba::trimmed(ba::Bounding_arc_tree_2(nest), axis, apart);
   EXPECT_LT(cut.edges[0].samples.size() + cut.edges.back().samples.size(),
             axis.edges[0].samples.size() + axis.edges.back().samples.size());
@@ -201,7 +201,7 @@ TEST(NestedCurves, HaveMaximalDiscsWhereTheyBoundARegion) {
 
 // In a frame all curves bound, whatever their direction.
 TEST(NestedCurves, BoundInAFrame) {
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   Drawing nest = squares({-1, 1, 1});  // the first one is the frame
   Drawing framed;
@@ -230,7 +230,7 @@ TEST(NestedCurves, OfRandomCurvesAreRight) {
       if (axis.status != Status::COMPLETE) continue;
       ++checked;
       left_out += axis.left_out.size();
-      ba::Axis_check_options options;
+      ba::Axis_verification::Options options;
       options.rule = rule;
       EXPECT_TRUE(ba::verify_axis(drawing, axis, options).is_right());
       if (HasFailure()) return;

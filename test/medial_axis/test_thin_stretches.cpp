@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "closed_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 
 #include <gtest/gtest.h>
@@ -27,12 +27,13 @@ using namespace bounding_arcs_test;
 
 constexpr double DEGREE = 3.14159265358979323846 / 180, UNLIMITED = std::numeric_limits<double>::infinity();
 
-std::vector<ba::Thin_stretch> stretches_of(const Drawing& drawing, double limit, double corner = ba::THIN_CORNER) {
+std::vector<ba::Medial_axis_2::Thin_stretch> stretches_of(const Drawing& drawing, double limit,
+                                                          double corner = ba::THIN_CORNER) {
   const Medial_axis_2 axis = axis_of(drawing);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   return ba::thin_stretches(axis, limit, corner);
 }
-std::vector<Point> ends_of(const ba::Thin_stretch& s) {
+std::vector<Point> ends_of(const ba::Medial_axis_2::Thin_stretch& s) {
   Point from = s.samples.front().center, to = s.samples.back().center;
   if (to.x < from.x) std::swap(from, to);
   return {from, to};
@@ -125,8 +126,8 @@ TEST(ThinStretches, OfARingGoAround) {
   EXPECT_EQ(found[0].samples.front().center, found[0].samples.back().center);
   EXPECT_NEAR(found[0].thickness(), 2, 1e-12);
   EXPECT_EQ(stretches_of(ring, 2.1).size(), 4u);  // its sides
-  for (const ba::Thin_stretch& s : stretches_of(ring, 2.1))
-    for (const ba::Medial_sample& at : s.samples) EXPECT_NE(at.left.curve, at.right.curve);
+  for (const ba::Medial_axis_2::Thin_stretch& s : stretches_of(ring, 2.1))
+    for (const ba::Medial_axis_2::Sample& at : s.samples) EXPECT_NE(at.left.curve, at.right.curve);
 }
 
 // Where three bars of one shape meet there are three stretches.
@@ -164,17 +165,17 @@ TEST(ThinStretches, AreWhatIsBelowTheLimitOfAllStretches) {
     for (const auto& v : axis.vertices) most = (std::max)(most, v.radius);
     for (const double share : {0.3, 0.7}) {
       double expected = 0, found = 0;
-      for (const ba::Thin_stretch& s : all)
+      for (const ba::Medial_axis_2::Thin_stretch& s : all)
         for (std::size_t i = 1; i < s.samples.size(); ++i) {
           const auto &a = s.samples[i - 1], &b = s.samples[i];
           const double low = (std::min)(a.radius, b.radius), high = (std::max)(a.radius, b.radius), r = share * most;
           const double part = high <= r ? 1 : low >= r ? 0 : (r - low) / (high - low);
           expected += part * euclidean_norm(b.center - a.center);
         }
-      for (const ba::Thin_stretch& s : ba::thin_stretches(axis, 2 * share * most)) {
+      for (const ba::Medial_axis_2::Thin_stretch& s : ba::thin_stretches(axis, 2 * share * most)) {
         ++seen;
         found += s.length;
-        for (const ba::Medial_sample& at : s.samples) {
+        for (const ba::Medial_axis_2::Sample& at : s.samples) {
           EXPECT_LE(at.radius, share * most * (1 + 1e-12));
           EXPECT_GE(at.radius, s.disc().radius);
         }
@@ -195,7 +196,7 @@ TEST(ThinStretches, AreWhatIsBelowTheLimitOfAllStretches) {
 TEST(ThinStretches, OfARoomInAFrameAreGaps) {
   Drawing lines;
   lines.add(Bezier({{0, 0}, {4, 0}})), lines.add(Bezier({{0, 0.3}, {4, 0.3}}));
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   const Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(ba::framed(lines, 2)), 1e-6, options);
   const auto found = ba::thin_stretches(axis, 0.5);

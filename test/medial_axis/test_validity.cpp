@@ -52,7 +52,8 @@ TEST(ValidTree, IsEachOfBundledDrawings) {
   for (const std::string& name : closed_names()) {
     const Drawing drawing = bundled(name);
     EXPECT_TRUE(Tree(drawing).is_valid()) << name;
-    for (const ba::Node_kind kind : {ba::Node_kind::STORED, ba::Node_kind::LAZY, ba::Node_kind::EQUALIZED}) {
+    for (const ba::Build_options::Nodes kind :
+         {ba::Build_options::Nodes::STORED, ba::Build_options::Nodes::LAZY, ba::Build_options::Nodes::EQUALIZED}) {
       ba::Build_options options;
       options.nodes = kind;
       EXPECT_TRUE(Regions(Tree(drawing), 1e-3, options).is_valid()) << name;
@@ -80,8 +81,8 @@ TEST(ValidOffset, IsEachOfBundledDrawings) {
 
 TEST(ValidOffset, IsOneOfAnOpenCurve) {
   const Tree tree(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}}));
-  ba::Offset_options options;
-  for (const auto side : {ba::Offset_side::BOTH, ba::Offset_side::LEFT}) {
+  ba::Offset::Options options;
+  for (const auto side : {ba::Offset::Side::BOTH, ba::Offset::Side::LEFT}) {
     options.side = side;
     EXPECT_TRUE(ba::offset(tree, 0.25, 1e-4, options).is_valid());
   }
@@ -92,7 +93,7 @@ TEST(ValidOffset, HasChainsThatCloseAndNestAndTellTheirWay) {
   ASSERT_TRUE(offset.is_valid());
   ASSERT_EQ(offset.chains.size(), 2U);
   const std::size_t hole = offset.chains[0].parent ? 0 : 1;
-  const auto first = [](ba::Offset& o) -> ba::Offset_piece& { return o.chains[0].pieces[0]; };
+  const auto first = [](ba::Offset& o) -> ba::Offset::Piece& { return o.chains[0].pieces[0]; };
   EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.to.x += 0x1p-40; }));
   EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.from.x += 0x1p-40; }));
   EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.bulge = 1.5; }));

@@ -41,7 +41,7 @@ int winding(const std::vector<Point>& polygon, const Point& q) {
   return result;
 }
 Medial_axis_2 framed_axis(const Tree& tree, double eps) {
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   return ba::medial_axis(tree, eps, options);
 }

@@ -138,7 +138,7 @@ TEST(FewPieces, OfCirclesSlotsAndRoundedRectangles) {
     expect_few(drawing, out, random_eps(random, size, out), count);
     expect_few(drawing, -in, random_eps(random, size, in), count);
     const Offset rounded_off = offset_curves(drawing, out, within(1e-16 * size));  // less than coordinates resolve
-    EXPECT_EQ(rounded_off.status, ba::Offset_status::RESOLUTION_REACHED);
+    EXPECT_EQ(rounded_off.status, ba::Offset::Status::RESOLUTION_REACHED);
     EXPECT_LE(rounded_off.error, 1e-11 * (size + out));
     ASSERT_EQ(rounded_off.chains.size(), 1U);
     EXPECT_EQ(rounded_off.chains[0].pieces.size(), count);
@@ -184,8 +184,8 @@ TEST(FewPieces, OfMitersAndSquareCapsAreLines) {
     const std::vector<Point> corners{at(0, 0), at(4, 0), at(4, 2), at(0, 2)};
     for (const double eps : {1e-3, 1e-9}) {
       Offset_options options = within(eps);
-      options.join = ba::Offset_join::MITER;
-      options.cap = ba::Offset_cap::SQUARE;
+      options.join = ba::Offset::Join::MITER;
+      options.cap = ba::Offset::Cap::SQUARE;
       const Offset grown = offset_curves(polygon(corners), 0.5, options),
                    band = offset_curves(polygon({corners[0], corners[1]}, false), 0.5, options);
       for (const Offset& offset : {grown, band}) {
@@ -198,12 +198,12 @@ TEST(FewPieces, OfMitersAndSquareCapsAreLines) {
       EXPECT_NEAR(area_of(grown), 15, 1e-12);
       EXPECT_NEAR(area_of(band), 5, 1e-12);
       for (const auto& piece : grown.chains[0].pieces) {
-        EXPECT_EQ(piece.kind, ba::Offset_kind::CURVE);
+        EXPECT_EQ(piece.kind, ba::Offset::Kind::CURVE);
         EXPECT_FALSE(piece.is_round);
-        EXPECT_EQ(piece.source.bezier, ba::bezier_of_end(piece));
+        EXPECT_EQ(piece.source.bezier, piece.bezier_of_end());
         EXPECT_EQ(std::fabs(piece.t_end - piece.source.t), 1);
       }
-      options.side = ba::Offset_side::RIGHT;
+      options.side = ba::Offset::Side::RIGHT;
       const Offset side = offset_curves(polygon({corners[0], corners[1], corners[2]}, false), 0.5, options);
       ASSERT_EQ(side.chains.size(), 1U);
       ASSERT_EQ(side.chains[0].pieces.size(), 2U);
@@ -240,17 +240,17 @@ TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
       ends.push_back(chain.size() - 1);
     }
     Offset_options options = within(random_eps(random, 8 * size, DISTANCE * size));
-    for (const ba::Offset_side side : {ba::Offset_side::LEFT, ba::Offset_side::RIGHT}) {
+    for (const ba::Offset::Side side : {ba::Offset::Side::LEFT, ba::Offset::Side::RIGHT}) {
       options.side = side;
       const Offset offset = offset_curves(drawing_of(chain), DISTANCE * size, options);
       EXPECT_TRUE(offset.is_valid());
       ASSERT_EQ(offset.chains.size(), 1U);
       ASSERT_EQ(offset.chains[0].pieces.size(), ends.size());
       for (std::size_t i = 0; i < ends.size(); ++i) {
-        const ba::Offset_piece& piece = offset.chains[0].pieces[i];
+        const ba::Offset::Piece& piece = offset.chains[0].pieces[i];
         EXPECT_EQ(piece.arc.bulge == 0, i % 2 == 0);
         EXPECT_EQ(piece.source.bezier, i == 0 ? 0 : ends[i - 1] + 1);
-        EXPECT_EQ(ba::bezier_of_end(piece), ends[i]);
+        EXPECT_EQ(piece.bezier_of_end(), ends[i]);
         EXPECT_NEAR(piece.source.t, 0, 1e-12);
         EXPECT_NEAR(piece.t_end, 1, 1e-12);
       }
@@ -272,7 +272,7 @@ TEST(FewPieces, KeepEndsInWhichOthersTouch) {
     }
     for (const double d : {0.25, 0.5, -0.25, 1.0}) {
       const Offset offset = offset_curves(drawing, d, within(1e-4));
-      EXPECT_NE(offset.status, ba::Offset_status::UNRESOLVED);
+      EXPECT_NE(offset.status, ba::Offset::Status::UNRESOLVED);
       EXPECT_TRUE(offset.is_valid());
       EXPECT_TRUE(do_not_cross(offset.chains));
       expect_at_distance(drawing, offset, 1e-4);

@@ -81,7 +81,7 @@ std::size_t expect_agreement(const Drawing& drawing, const Medial_axis_2& axis) 
     if (!(parts == parts_above(axis, d - room) && parts == parts_above(axis, d + room))) continue;
     SCOPED_TRACE("depth " + std::to_string(d));
     const ba::Offset inset = ba::offset(ba::Bounding_arc_tree_2(drawing), -d, 1e-6 * most);
-    EXPECT_EQ(inset.status, ba::Offset_status::COMPLETE);
+    EXPECT_EQ(inset.status, ba::Offset::Status::COMPLETE);
     EXPECT_EQ(parts_of(inset).regions, parts.regions);
     EXPECT_EQ(parts_of(inset).holes, parts.holes);
     expect_corners(axis, inset, d);

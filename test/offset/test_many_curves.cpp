@@ -24,13 +24,13 @@ using namespace bounding_arcs_test;
 using ba::Arc_2;
 
 // The parent of each chain, as all chains tell one by one.
-void expect_smallest_around(const std::vector<ba::Offset_chain>& chains) {
+void expect_smallest_around(const std::vector<ba::Offset::Chain>& chains) {
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const Point x = point(chains[i].pieces.front().arc, 0.5);
-    const ba::Offset_chain* smallest = nullptr;
-    for (const ba::Offset_chain& other : chains) {
+    const ba::Offset::Chain* smallest = nullptr;
+    for (const ba::Offset::Chain& other : chains) {
       int winding = 0;
-      for (const ba::Offset_piece& p : other.pieces) winding += winding_of(p.arc, x);
+      for (const ba::Offset::Piece& p : other.pieces) winding += winding_of(p.arc, x);
       const bool is_around = &other != &chains[i] && winding != 0;
       if (is_around && (smallest == nullptr || std::fabs(other.area) < std::fabs(smallest->area))) smallest = &other;
     }
@@ -103,9 +103,9 @@ TEST(ManyCurves, AreTrimmedApartAsTheyAreAlone) {
     expect_at_distance(all, together, 1e-6);  // where offsets meet they are trimmed
     std::size_t next = 0;
     for (const Drawing& group : alone)
-      for (const ba::Offset_chain& chain : offset_curves(group, d, within(1e-6)).chains) {
+      for (const ba::Offset::Chain& chain : offset_curves(group, d, within(1e-6)).chains) {
         ASSERT_LT(next, together.chains.size());
-        const ba::Offset_chain& same = together.chains[next++];
+        const ba::Offset::Chain& same = together.chains[next++];
         ASSERT_EQ(same.pieces.size(), chain.pieces.size());
         for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
           EXPECT_EQ(same.pieces[i].arc.from, chain.pieces[i].arc.from);

@@ -55,11 +55,11 @@ TEST(Offset, HasTheAreaOfARectangleWithItsJoins) {
       expect_at_distance(r, round, 1e-6);
       const double sides = w * h + 2 * d * (w + h);
       EXPECT_NEAR(area_of(round), sides + PI * d * d, 1e-12 * (1 + d * d));
-      options.join = ba::Offset_join::MITER;
+      options.join = ba::Offset::Join::MITER;
       EXPECT_NEAR(area_of(offset_curves(r, d, options)), sides + 4 * d * d, 1e-12 * (1 + d * d));
       options.miter_limit = 1.2;  // below the root of 2
       EXPECT_NEAR(area_of(offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
-      options.join = ba::Offset_join::BEVEL;
+      options.join = ba::Offset::Join::BEVEL;
       EXPECT_NEAR(area_of(offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
     }
     for (const double d : {0.25, 0.9, 0.999}) {
@@ -70,7 +70,7 @@ TEST(Offset, HasTheAreaOfARectangleWithItsJoins) {
     }
     for (const double d : {1.0, 1.1, 1.5, 2.0, 30.0}) {
       const Offset none = offset_curves(r, -d, within(1e-6));
-      EXPECT_EQ(none.status, ba::Offset_status::COMPLETE) << d;
+      EXPECT_EQ(none.status, ba::Offset::Status::COMPLETE) << d;
       EXPECT_TRUE(none.chains.empty()) << d;
     }
   }
@@ -84,9 +84,9 @@ TEST(Offset, OfASegmentIsAStadium) {
     expect_sound(round);
     expect_at_distance(drawing, round, 1e-6);
     EXPECT_NEAR(area_of(round), 5 * 0.6 + PI * 0.09, 1e-13);
-    options.cap = ba::Offset_cap::BUTT;
+    options.cap = ba::Offset::Cap::BUTT;
     EXPECT_NEAR(area_of(offset_curves(drawing, d, options)), 5 * 0.6, 1e-13);
-    options.cap = ba::Offset_cap::SQUARE;
+    options.cap = ba::Offset::Cap::SQUARE;
     EXPECT_NEAR(area_of(offset_curves(drawing, d, options)), 5.6 * 0.6, 1e-13);
   }
 }
@@ -94,7 +94,7 @@ TEST(Offset, OfASegmentIsAStadium) {
 TEST(Offset, OfOneSideIsOpen) {
   const Drawing corner = polygon({{0, 0}, {2, 0}, {2, 2}}, false);
   Offset_options options = within(1e-6);
-  options.side = ba::Offset_side::LEFT;
+  options.side = ba::Offset::Side::LEFT;
   const Offset left = offset_curves(corner, 0.5, options);
   ASSERT_EQ(left.chains.size(), 1U);
   EXPECT_FALSE(left.chains[0].is_closed);
@@ -102,7 +102,7 @@ TEST(Offset, OfOneSideIsOpen) {
   EXPECT_EQ(left.chains[0].pieces.front().arc.from, (Point{0, 0.5}));
   EXPECT_NEAR(left.chains[0].pieces.front().arc.to.x, 1.5, 1e-13);
   EXPECT_EQ(left.chains[0].pieces.back().arc.to, (Point{1.5, 2}));
-  options.side = ba::Offset_side::RIGHT;
+  options.side = ba::Offset::Side::RIGHT;
   const Offset right = offset_curves(corner, 0.5, options);
   ASSERT_EQ(right.chains.size(), 1U);
   EXPECT_EQ(right.chains[0].pieces.front().arc.from, (Point{0, -0.5}));
@@ -113,11 +113,11 @@ TEST(Offset, OfOneSideOfClosedCurvesIsInsetOrOutset) {
   const std::vector<Point> corners{{0, 0}, {10, 0}, {10, 8}, {0, 8}};
   const Drawing ccw = polygon(corners, true), cw = polygon({corners.rbegin(), corners.rend()}, true);
   Offset_options options = within(1e-6);
-  const auto area = [&](const Drawing& drawing, ba::Offset_side side, double d) {
+  const auto area = [&](const Drawing& drawing, ba::Offset::Side side, double d) {
     options.side = side;
     const Offset offset = offset_curves(drawing, d, options);
     EXPECT_TRUE(offset.is_valid());
-    EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+    EXPECT_EQ(offset.status, ba::Offset::Status::COMPLETE);
     double sum = 0;
     for (const auto& chain : offset.chains) {
       EXPECT_TRUE(chain.is_closed);
@@ -127,21 +127,21 @@ TEST(Offset, OfOneSideOfClosedCurvesIsInsetOrOutset) {
   };
   const double outset = 80 + 2 * 18 + PI;
   for (const double d : {1.0, -1.0}) {
-    EXPECT_NEAR(area(ccw, ba::Offset_side::LEFT, d), 48, 1e-12);
-    EXPECT_NEAR(area(ccw, ba::Offset_side::RIGHT, d), outset, 1e-12);
-    EXPECT_NEAR(area(cw, ba::Offset_side::RIGHT, d), -48, 1e-12);  // it runs as the curve does
-    EXPECT_NEAR(area(cw, ba::Offset_side::LEFT, d), -outset, 1e-12);
+    EXPECT_NEAR(area(ccw, ba::Offset::Side::LEFT, d), 48, 1e-12);
+    EXPECT_NEAR(area(ccw, ba::Offset::Side::RIGHT, d), outset, 1e-12);
+    EXPECT_NEAR(area(cw, ba::Offset::Side::RIGHT, d), -48, 1e-12);  // it runs as the curve does
+    EXPECT_NEAR(area(cw, ba::Offset::Side::LEFT, d), -outset, 1e-12);
   }
-  EXPECT_EQ(area(ccw, ba::Offset_side::LEFT, 4.5), 0);  // the inside is all nearer
+  EXPECT_EQ(area(ccw, ba::Offset::Side::LEFT, 4.5), 0);  // the inside is all nearer
   options.rule = ba::Fill_rule::EVEN_ODD;
-  EXPECT_NEAR(area(ccw, ba::Offset_side::LEFT, 1), 48, 1e-12);
+  EXPECT_NEAR(area(ccw, ba::Offset::Side::LEFT, 1), 48, 1e-12);
   // a hole: what is left of both runs in the ring between them
   const Drawing ring = both(ccw, polygon({{3, 3}, {3, 5}, {7, 5}, {7, 3}}, true));
-  EXPECT_NEAR(area(ring, ba::Offset_side::LEFT, 0.5), 9 * 7 - (4 * 2 + 2 * 0.5 * 6 + PI / 4), 1e-12);
-  EXPECT_NEAR(area(ring, ba::Offset_side::RIGHT, 0.5), 80 + 2 * 0.5 * 18 + PI / 4 - 3 * 1, 1e-12);
+  EXPECT_NEAR(area(ring, ba::Offset::Side::LEFT, 0.5), 9 * 7 - (4 * 2 + 2 * 0.5 * 6 + PI / 4), 1e-12);
+  EXPECT_NEAR(area(ring, ba::Offset::Side::RIGHT, 0.5), 80 + 2 * 0.5 * 18 + PI / 4 - 3 * 1, 1e-12);
   // nested ones that both run counterclockwise
   const Drawing nested = both(ccw, polygon({{3, 3}, {7, 3}, {7, 5}, {3, 5}}, true));
-  EXPECT_NEAR(area(nested, ba::Offset_side::LEFT, 0.5), 9 * 7 + 3 * 1, 1e-12);
+  EXPECT_NEAR(area(nested, ba::Offset::Side::LEFT, 0.5), 9 * 7 + 3 * 1, 1e-12);
 }
 
 TEST(Offset, HasTheAreaOfDegenerateDrawingsInClosedForm) {
@@ -169,7 +169,7 @@ TEST(Offset, HasTheAreaOfDegenerateDrawingsInClosedForm) {
   EXPECT_NEAR(area_of(offset_curves(ring, -0.25, options)), PI * (1.75 * 1.75 - 1.25 * 1.25), 1e-4);
   EXPECT_NEAR(area_of(offset_curves(ring, 0.25, options)), PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-4);
   EXPECT_NEAR(area_of(offset_curves(ring, 1, options)), 9 * PI, 1e-4);
-  EXPECT_EQ(offset_curves(ring, -0.5, options).status, ba::Offset_status::COMPLETE);
+  EXPECT_EQ(offset_curves(ring, -0.5, options).status, ba::Offset::Status::COMPLETE);
   EXPECT_NEAR(area_of(offset_curves(ring, -0.5, options)), 0, 1e-4);
   EXPECT_TRUE(offset_curves(ring, -0.6, options).chains.empty());
   // the same square twice, and one that has a side in common
@@ -353,7 +353,7 @@ TEST(OffsetInwards, OfCurvesThatShareSidesHasNoWallsThere) {
   const double mitered = 2 * 2.8 * 0.8 - 0.8 * 0.8;
   EXPECT_NEAR(area_of(inwards(cross, 0.1)), mitered + 0.01 * (4 - PI), 1e-5);
   Offset_options options = within(1e-6);
-  options.join = ba::Offset_join::MITER;
+  options.join = ba::Offset::Join::MITER;
   EXPECT_NEAR(area_of(offset_curves(cross, -0.1, options)), mitered, 1e-5);
   EXPECT_EQ(ba::insets(ba::Bounding_arc_tree_2(cross), 0.2, 1e-6).size(), 3U);
 }
@@ -368,7 +368,7 @@ TEST(Offset, KnowsWhereItComesFrom) {
         return ba::euclidean_norm(q - drawing.curves()[p.source.curve].beziers[bezier].point(t));
       };
       EXPECT_NEAR(far(p.arc.from, p.source.bezier, p.source.t), d, 1e-3);
-      EXPECT_NEAR(far(p.arc.to, ba::bezier_of_end(p), p.t_end), d, 1e-3);
+      EXPECT_NEAR(far(p.arc.to, p.bezier_of_end(), p.t_end), d, 1e-3);
     }
 }
 

@@ -42,7 +42,7 @@ void expect_right(std::mt19937& random, const Arc_loops& loops, double d, const 
   constexpr int POINTS = 100, LINES = 1500, MANY_LINES = 100000;
   SCOPED_TRACE("d " + std::to_string(d) + ", eps " + std::to_string(options.eps));
   const Offset offset = offset_curves(drawing_of(loops), d, options);
-  EXPECT_NE(offset.status, ba::Offset_status::UNRESOLVED);
+  EXPECT_NE(offset.status, ba::Offset::Status::UNRESOLVED);
   const Offset_oracle oracle(loops, options.rule, d);
   const double most = 2 * (std::max)(options.eps, offset.error);
   for (int i = 0; i < POINTS; ++i) {

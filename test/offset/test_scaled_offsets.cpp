@@ -11,9 +11,9 @@
 #include "scaled_answers.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
@@ -56,7 +56,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
   const Drawing drawing = moved(unscaled, scale, {0, 0});
   const Bounding_arc_tree_2 tree(drawing);
   Answers to;
-  ba::Offset_options options;
+  ba::Offset::Options options;
   const double eps = scale * 1e-4;
   const ba::Offset_source_2 source(tree, eps, options);
   to.of("offsets");
@@ -64,8 +64,8 @@ Answers offsets(const Drawing& unscaled, double scale) {
   to.of("outline");
   add(to, source.outline());
   to.of("offsets with miters");
-  options.join = ba::Offset_join::MITER;
-  options.cap = ba::Offset_cap::SQUARE;
+  options.join = ba::Offset::Join::MITER;
+  options.cap = ba::Offset::Cap::SQUARE;
   add(to, ba::offset(tree, scale * 0.01, eps, options));
   to.of("offset twice");
   add(to, ba::closing(tree, scale * 0.01, eps));
@@ -112,7 +112,7 @@ Answers axes(const Drawing& unscaled, double scale) {
   for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(eps))
     for (const auto& s : chain) to.point(s.center), to.length(s.radius), to.number(s.t);
   to.of("axis in a frame");
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   add(to, ba::medial_axis(Bounding_arc_tree_2(ba::framed(drawing, scale * 0.05)), eps, options));
   return to;
@@ -161,7 +161,7 @@ TEST(ScaledOffsets, AreServedToTheEndOfTheRange) {
       const double d = std::ldexp(1.0, k);
       const Offset offset = ba::offset(Bounding_arc_tree_2(moved(curve, std::ldexp(1.0, size), {0, 0})), d, 1e-6 * d);
       ASSERT_EQ(offset.chains.size(), 1U) << size << ' ' << k;
-      EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE) << size << ' ' << k;
+      EXPECT_EQ(offset.status, ba::Offset::Status::COMPLETE) << size << ' ' << k;
       if (size == -900) continue;  // no double is as small as its area
       EXPECT_NEAR(std::sqrt(offset.chains[0].area / PI) / d, 1, 1e-3) << size << ' ' << k;
     }

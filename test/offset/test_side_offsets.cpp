@@ -44,7 +44,7 @@ class Side_check {
  public:
   Side_check(const Drawing& drawing, double d, const Offset_options& options)
       : drawing_(drawing), index_(open_curves(drawing), ba::Decisions::DOUBLE), d_(d), eps_(options.eps),
-        sign_(options.side == ba::Offset_side::LEFT ? 1 : -1), offset_(offset_curves(drawing, d, options)) {
+        sign_(options.side == ba::Offset::Side::LEFT ? 1 : -1), offset_(offset_curves(drawing, d, options)) {
     constexpr int SAMPLES = 128;  // of a Bezier piece
     for (const Curve& curve : drawing.curves()) {
       std::vector<Sample>& samples = samples_.emplace_back();
@@ -62,7 +62,7 @@ class Side_check {
   }
 
   void expect_offset_of_side() {
-    EXPECT_EQ(offset_.status, ba::Offset_status::COMPLETE);
+    EXPECT_EQ(offset_.status, ba::Offset::Status::COMPLETE);
     EXPECT_LE(offset_.error, eps_);
     for (const auto& chain : offset_.chains) {
       for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i)
@@ -100,7 +100,7 @@ class Side_check {
       if (!curve.is_closed) result.add(curve.beziers);
     return result;
   }
-  [[nodiscard]] bool is_of_closed(const ba::Offset_chain& chain) const {
+  [[nodiscard]] bool is_of_closed(const ba::Offset::Chain& chain) const {
     return drawing_.curves()[chain.pieces.front().source.curve].is_closed;
   }
   [[nodiscard]] Normal normal(const Bezier& b, double t, bool after) const {
@@ -108,18 +108,18 @@ class Side_check {
   }
 
   // Points are ends of normals, about the places that a piece tells.
-  void expect_on_side(const ba::Offset_piece& piece) const {
-    EXPECT_NE(piece.kind, ba::Offset_kind::CAP);
+  void expect_on_side(const ba::Offset::Piece& piece) const {
+    EXPECT_NE(piece.kind, ba::Offset::Kind::CAP);
     const Curve& curve = drawing_.curves()[piece.source.curve];
     const Bezier& bezier = curve.beziers[piece.source.bezier];
     const double t = piece.source.t;
-    const bool is_corner = t == 0 || t == 1, is_join = piece.kind == ba::Offset_kind::JOIN;
+    const bool is_corner = t == 0 || t == 1, is_join = piece.kind == ba::Offset::Kind::JOIN;
     const std::size_t before = piece.source.bezier - (t == 0 ? 1 : 0);
     ASSERT_TRUE(!is_join || !is_corner || before + 1 < curve.beziers.size());
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Point p = ba::point(piece.arc, share);
       if (!is_join) {
-        const std::uint32_t last = ba::bezier_of_end(piece);
+        const std::uint32_t last = piece.bezier_of_end();
         EXPECT_LT(piece.source.bezier + t, last + piece.t_end);
         bool is_on = false;  // one of the Bezier pieces that it comes from
         for (std::uint32_t k = piece.source.bezier; k <= last && !is_on; ++k) {
@@ -215,7 +215,7 @@ class Side_check {
     }
     const auto is_end_near = [&](const Normal& n, bool is_start) {
       const Point p = n.foot + d_ * n.way;
-      return std::any_of(chains_.begin(), chains_.end(), [&](const ba::Offset_chain& c) {
+      return std::any_of(chains_.begin(), chains_.end(), [&](const ba::Offset::Chain& c) {
         const Point at = is_start ? c.pieces.front().arc.from : c.pieces.back().arc.to;
         return !c.is_closed && ba::euclidean_norm(at - p) <= eps_;
       });
@@ -270,7 +270,7 @@ class Side_check {
   Offset offset_;
   std::vector<std::vector<Sample>> samples_;  // of each open curve
   mutable std::size_t tried_ = 0;
-  std::vector<ba::Offset_chain> chains_;
+  std::vector<ba::Offset::Chain> chains_;
 };
 
 // Both sides and the caps are the boundary of the band; what is on both sides, where curves run back, is told by each.
@@ -282,10 +282,10 @@ std::size_t expect_sides(const Drawing& drawing, double d, double eps, bool runs
   std::size_t tried = 0;
   for (const auto& chain : band.chains)
     for (const auto& piece : chain.pieces)
-      if (piece.kind != ba::Offset_kind::CAP && !drawing.curves()[piece.source.curve].is_closed)
+      if (piece.kind != ba::Offset::Kind::CAP && !drawing.curves()[piece.source.curve].is_closed)
         length += ba::length(piece.arc);
-  for (const ba::Offset_side side : {ba::Offset_side::LEFT, ba::Offset_side::RIGHT}) {
-    SCOPED_TRACE(side == ba::Offset_side::LEFT ? "left" : "right");
+  for (const ba::Offset::Side side : {ba::Offset::Side::LEFT, ba::Offset::Side::RIGHT}) {
+    SCOPED_TRACE(side == ba::Offset::Side::LEFT ? "left" : "right");
     options.side = side;
     Side_check check(drawing, d, options);
     check.expect_offset_of_side();
@@ -355,7 +355,7 @@ TEST(SideOffsets, OfCurvesThatRunBackHaveNoGaps) {
                                         {{-10, 0}, {0, 10}, 1 - std::sqrt(2)},
                                         {{0, 10}, {0, -10}, 1}})
     for (const Bezier& b : ba::arc_beziers<double>(from, to, bulge)) arcs.push_back(b);
-  const auto ways = [&](const Drawing& drawing, ba::Offset_side side, const Point& p) {
+  const auto ways = [&](const Drawing& drawing, ba::Offset::Side side, const Point& p) {
     Offset_options options = within(1e-3);
     options.side = side;
     const Offset offset = offset_curves(drawing, 1, options);
@@ -371,25 +371,25 @@ TEST(SideOffsets, OfCurvesThatRunBackHaveNoGaps) {
     return pieces;
   };
   for (const double x : {0.5, 4.5, 5.5, 7.5, 9.5, 12.0}) {
-    EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, 1}), 4U);
+    EXPECT_LE(ways(line, ba::Offset::Side::LEFT, {x, 1}), 4U);
     if (x > 5 && x < 10) {
-      EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, -1}), 4U);
+      EXPECT_LE(ways(line, ba::Offset::Side::LEFT, {x, -1}), 4U);
     }
   }
   for (const double angle : {0.3, 1.7, 2.0, 2.9, 3.6, 4.5}) {
     const Point way{std::cos(angle), std::sin(angle)};
-    EXPECT_LE(ways(drawing_of(arcs), ba::Offset_side::LEFT, 9 * way), 12U);
-    EXPECT_LE(ways(drawing_of(arcs), ba::Offset_side::BOTH, 11 * way), 24U);
+    EXPECT_LE(ways(drawing_of(arcs), ba::Offset::Side::LEFT, 9 * way), 12U);
+    EXPECT_LE(ways(drawing_of(arcs), ba::Offset::Side::BOTH, 11 * way), 24U);
   }
 }
 
 TEST(SideOffsets, LeavesOutThinLoops) {
   const Drawing nearly_closed = polygon({{0, 0}, {4, 0}, {4, 1}, {0, 1}, {0, 0.25}}, false);
-  for (const ba::Offset_side side : {ba::Offset_side::BOTH, ba::Offset_side::LEFT}) {
+  for (const ba::Offset::Side side : {ba::Offset::Side::BOTH, ba::Offset::Side::LEFT}) {
     Offset_options options = within(1e-3);
     options.side = side;
     const double wide = 4 * options.eps, thin = options.eps / 64;  // inside
-    const std::size_t outside = side == ba::Offset_side::BOTH ? 1 : 0;
+    const std::size_t outside = side == ba::Offset::Side::BOTH ? 1 : 0;
     EXPECT_EQ(offset_curves(nearly_closed, (1 - wide) / 2, options).chains.size(), outside + 1);
     EXPECT_EQ(offset_curves(nearly_closed, (1 - thin) / 2, options).chains.size(), outside);
   }

@@ -30,7 +30,7 @@ namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using Chains = std::vector<ba::Offset_chain>;
+using Chains = std::vector<ba::Offset::Chain>;
 
 // A box about an arc, which is no farther from its chord than the diameter of its circle.
 CGAL::Bbox_2 box_about(const ba::Arc_2& arc) {
@@ -41,7 +41,7 @@ CGAL::Bbox_2 box_about(const ba::Arc_2& arc) {
 
 // A loop with its box, and how often it runs round a point.
 struct Loop {
-  explicit Loop(const ba::Offset_chain& c) : chain(&c) {
+  explicit Loop(const ba::Offset::Chain& c) : chain(&c) {
     for (const auto& p : c.pieces) box += box_about(p.arc);
   }
   [[nodiscard]] int winding(const ba::Xy<double>& x) const {
@@ -50,7 +50,7 @@ struct Loop {
     for (const auto& p : chain->pieces) sum += winding_of(p.arc, x);
     return sum;
   }
-  const ba::Offset_chain* chain;
+  const ba::Offset::Chain* chain;
   CGAL::Bbox_2 box;
 };
 
@@ -89,9 +89,9 @@ bool is_nested(const Chains& chains) {
 ba::Drawing_2<double> read(const std::string& file) { return ba::drawing<double>(ba::read_curves(file)); }
 
 TEST(SimpleOffsets, SeesCrossings) {
-  ba::Offset_chain chain;
+  ba::Offset::Chain chain;
   for (const ba::Arc_2& arc : {ba::Arc_2{{0, 0}, {2, 0}, 0.5}, {{2, 0}, {1, -2}, 0}, {{1, -2}, {0, 0}, 0}})
-    chain.pieces.push_back({arc, {}, 1, ba::Offset_kind::CURVE, true});
+    chain.pieces.push_back({arc, {}, 1, ba::Offset::Kind::CURVE, true});
   ba::Offset offset;
   offset.chains.push_back(chain);
   EXPECT_TRUE(do_not_cross(offset.chains));
@@ -104,10 +104,10 @@ TEST(SimpleOffsets, SeesCrossings) {
 
 TEST(SimpleOffsets, SeesWrongNesting) {
   const auto loop = [](double size, bool is_ccw, std::optional<std::size_t> parent) {
-    ba::Offset_chain chain;
+    ba::Offset::Chain chain;
     const ba::Xy<double> right{size, 0}, left{-size, 0};
     for (const ba::Arc_2& arc : {ba::Arc_2{right, left, is_ccw ? 1.0 : -1.0}, {left, right, is_ccw ? 1.0 : -1.0}})
-      chain.pieces.push_back({arc, {}, 1, ba::Offset_kind::CURVE, true});
+      chain.pieces.push_back({arc, {}, 1, ba::Offset::Kind::CURVE, true});
     chain.is_ccw = is_ccw;
     chain.parent = parent;
     return chain;
@@ -163,7 +163,7 @@ TEST(SimpleOffsets, DoNotCrossWhereStripsVanishBetweenTheirEnds) {
   for (int k = 0; k < 24; ++k)
     for (const double eps : {1e-3, 1e-6}) {
       const ba::Offset offset = offset_curves(dumbbell(0.1 + 0.26 * k, {310.7, -802.1}), -0.5, within(eps));
-      EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+      EXPECT_EQ(offset.status, ba::Offset::Status::COMPLETE);
       EXPECT_EQ(offset.chains.size(), 2U);
       EXPECT_TRUE(do_not_cross(offset.chains)) << k << " eps " << eps;
       EXPECT_TRUE(is_nested(offset.chains)) << k << " eps " << eps;
@@ -209,7 +209,7 @@ int failures_of(const std::string& file) {
       std::vector<Chains> parts{offset.chains};
       // inwards, closed curves and bands do not see each other
       if (d < 0) parts = {chains_of(offset, drawing, true), chains_of(offset, drawing, false)};
-      const bool is_complete = offset.status == ba::Offset_status::COMPLETE,
+      const bool is_complete = offset.status == ba::Offset::Status::COMPLETE,
                  is_free = std::all_of(parts.begin(), parts.end(), do_not_cross),
                  is_sorted = std::all_of(parts.begin(), parts.end(), is_nested),
                  is_far = is_at_distance(drawing, d * size, eps * size);

@@ -101,7 +101,7 @@ TEST(TouchingOffsets, KeepDrawingsThatWereLostOnce) {
   expect_at_distance(line, band, 1e-6);
   // a round join does not reach over a straight cap that is nearer than the distance
   Offset_options butt = within(1e-5);
-  butt.cap = ba::Offset_cap::BUTT;
+  butt.cap = ba::Offset::Cap::BUTT;
   const Offset hook = offset_curves(polygon({{0, 0}, {3, 0}, {3, 1}}, false), 1.5, butt);
   expect_sound(hook);
   EXPECT_EQ(winding(hook, {3, 1.3}), 0);
@@ -148,7 +148,7 @@ TEST(TouchingOffsets, AreSoundAtSpecialDistances) {
   }
   const Drawing strip = polygon({{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}});
   EXPECT_NEAR(area_of(offset_curves(strip, -0.5, within(1e-6))), 0, 1e-5);
-  EXPECT_EQ(offset_curves(strip, -0.5, within(1e-6)).status, ba::Offset_status::COMPLETE);
+  EXPECT_EQ(offset_curves(strip, -0.5, within(1e-6)).status, ba::Offset::Status::COMPLETE);
   // two discs that touch at the distance, and a hole that is just filled
   const Drawing pair = both(drawing_of(circle({-1, 0}, 0.5)), drawing_of(circle({1, 0}, 0.5)));
   const Offset touching = offset_curves(pair, 0.5, within(1e-6));
@@ -179,10 +179,10 @@ TEST(TouchingOffsets, AreCirclesAroundAPoint) {
   }
   EXPECT_TRUE(offset_curves(point, 0, within(1e-6)).chains.empty());
   Offset_options options = within(1e-6);
-  options.cap = ba::Offset_cap::BUTT;
+  options.cap = ba::Offset::Cap::BUTT;
   EXPECT_TRUE(offset_curves(point, 2, options).chains.empty());
   options = within(1e-6);
-  options.side = ba::Offset_side::LEFT;  // it has none
+  options.side = ba::Offset::Side::LEFT;  // it has none
   EXPECT_TRUE(offset_curves(point, 2, options).chains.empty());
 }
 
@@ -199,12 +199,12 @@ class Stroke {
     for (std::size_t i = 0; i < n; ++i) {
       const Point u = unit(i), z = q - corners_[i], across = perp(u);
       const double along = dot(u, z), length = ba::euclidean_norm(corners_[i + 1] - corners_[i]);
-      const bool is_square = options_.cap == ba::Offset_cap::SQUARE && !is_closed_;
+      const bool is_square = options_.cap == ba::Offset::Cap::SQUARE && !is_closed_;
       const double before = is_square && i == 0 ? d_ : 0, behind = is_square && i + 1 == n ? d_ : 0;
       if (along >= -before && along <= length + behind && std::fabs(dot(across, z)) <= d_) return true;
       if ((is_closed_ || i > 0) && in_join(unit(i == 0 ? n - 1 : i - 1), u, z)) return true;
     }
-    if (is_closed_ || options_.cap != ba::Offset_cap::ROUND) return false;
+    if (is_closed_ || options_.cap != ba::Offset::Cap::ROUND) return false;
     const Point first = q - corners_.front(), last = q - corners_.back();
     return (ba::euclidean_norm(first) <= d_ && dot(unit(0), first) <= 0) ||
            (ba::euclidean_norm(last) <= d_ && dot(unit(n - 1), last) >= 0);
@@ -221,12 +221,12 @@ class Stroke {
     const Point p = (side * d_) * perp(u), q = (side * d_) * perp(v);
     const bool is_between = side * cross(p, z) <= 0 && side * cross(q, z) >= 0;  // of less than half a turn
     if (!is_between || dot(p + q, z) < 0) return false;
-    if (options_.join == ba::Offset_join::ROUND) return ba::euclidean_norm(z) <= d_;
+    if (options_.join == ba::Offset::Join::ROUND) return ba::euclidean_norm(z) <= d_;
     const Point middle = 0.5 * (p + q);
     const double share = dot(middle, middle) / (d_ * d_), along = dot(middle, z);
     if (share < 1e-12) return false;  // of a curve that turns back
     const bool is_miter =
-        options_.join == ba::Offset_join::MITER && 1 <= options_.miter_limit * options_.miter_limit * share;
+        options_.join == ba::Offset::Join::MITER && 1 <= options_.miter_limit * options_.miter_limit * share;
     return is_miter ? dot(p, z) <= d_ * d_ && dot(q, z) <= d_ * d_ : along <= dot(middle, middle);
   }
 
@@ -241,8 +241,8 @@ TEST(TouchingOffsets, OfPolygonsWithAllJoinsAndCapsAreStrokes) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int k = 0; k < cases(300); ++k) {
     Offset_options options = within(k % 2 == 0 ? 1e-3 : 1e-5);
-    options.join = static_cast<ba::Offset_join>(random() % 3);
-    options.cap = static_cast<ba::Offset_cap>(random() % 3);
+    options.join = static_cast<ba::Offset::Join>(random() % 3);
+    options.cap = static_cast<ba::Offset::Cap>(random() % 3);
     const double d = k % 3 == 0 ? 1 + unit(random) : 0.25 * static_cast<double>(1 + random() % 8);
     const std::vector<Point> corners = corners_on_grid(random, 2 + random() % 5);
     const Drawing drawing = polygon(corners, false);
@@ -301,7 +301,7 @@ TEST(OffsetBracket, HasTheOffsetBetween) {
   }
   EXPECT_THROW((void)ba::offset_bracket(ba::Bounding_arc_tree_2(rectangle(1, 1)), 1e-7, 1e-6), std::invalid_argument);
   Offset_options bevel = within(1e-6);
-  bevel.join = ba::Offset_join::BEVEL;
+  bevel.join = ba::Offset::Join::BEVEL;
   EXPECT_THROW((void)ba::offset_bracket(ba::Bounding_arc_tree_2(rectangle(1, 1)), 1, 1e-6, bevel),
                std::invalid_argument);
 }

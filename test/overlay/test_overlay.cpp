@@ -66,10 +66,10 @@ TEST(Overlay, HasOneEdgeWhereCurvesRunTogether) {
   both.add(reversed(a));
   const Overlaid same({drawing_of(a), both});
   expect_counts(same.cells(), 4, 4, 2);
-  for (const ba::Overlay_edge& e : same.cells().edges) {
+  for (const ba::Overlay_2::Edge& e : same.cells().edges) {
     ASSERT_EQ(e.sources.size(), 3u);
     int against = 0;
-    for (const ba::Overlay_source& s : e.sources) {
+    for (const ba::Overlay_2::Source& s : e.sources) {
       against += s.is_reversed ? 1 : 0;
       ASSERT_EQ(s.parts.size(), 1u);
       EXPECT_EQ(s.parts.front().from.lower, s.is_reversed ? 1 : 0);
@@ -82,7 +82,7 @@ TEST(Overlay, HasOneEdgeWhereCurvesRunTogether) {
   const Overlaid along({drawing_of(a), drawing_of(segment({-1, 0}, {3, 0}))});
   expect_counts(along.cells(), 4, 4, 2);
   const auto shared = std::find_if(along.cells().edges.begin(), along.cells().edges.end(),
-                                   [](const ba::Overlay_edge& e) { return e.sources.size() == 2; });
+                                   [](const ba::Overlay_2::Edge& e) { return e.sources.size() == 2; });
   ASSERT_NE(shared, along.cells().edges.end());
   EXPECT_EQ(shared->sources[1].parts.front().from.lower, 0.25);
   EXPECT_EQ(shared->sources[1].parts.front().to.upper, 0.75);
@@ -104,7 +104,7 @@ TEST(Overlay, HasFacesWithinFaces) {
     boundaries[found.cells().windings(f)] = found.cells().faces[f].boundaries.size();
   EXPECT_EQ(boundaries, (std::map<std::vector<int>, std::size_t>{{{1, 0}, 2}, {{0, 0}, 3}, {{0, 1}, 1}}));
   EXPECT_EQ(found.cells().faces[0].boundaries.size(), 1u);
-  for (const ba::Overlay_face& face : found.cells().faces)
+  for (const ba::Overlay_2::Face& face : found.cells().faces)
     for (const auto& boundary : face.boundaries)
       if (face.boundaries.size() == 3 && boundary.size() == 2) {  // both sides of the stroke
         EXPECT_EQ(boundary[0].edge, boundary[1].edge);
@@ -120,17 +120,17 @@ TEST(Overlay, HasPointsThatAreCurves) {
   points.add(reversed(square(1, 3)));
   for (const Point& p : {Point{2, 2}, Point{2, 2}, Point{0.5, 2}, Point{0, 2}, Point{7, 7}})
     points.add(Bezier({p, p, p}));
-  for (const ba::Overlay_options& options : {ba::Overlay_options{}, AT_JOINTS}) {
+  for (const ba::Overlay_2::Options& options : {ba::Overlay_2::Options{}, AT_JOINTS}) {
     const Overlaid found({points}, options);
     // (0, 2) cuts the outer square once
     expect_counts(found.cells(), options.at_joints ? 12 : 4, options.at_joints ? 9 : 2, 3);
     std::mt19937 random(1);
     expect_sound(found, random);
     std::map<double, int> winding;  // of the face of points without edges, by x
-    for (const ba::Overlay_vertex& v : found.cells().vertices)
+    for (const ba::Overlay_2::Vertex& v : found.cells().vertices)
       if (v.face) winding[v.point.x] = found.cells().windings(*v.face).front();
     EXPECT_EQ(winding, (std::map<double, int>{{0.5, 1}, {2, 0}, {7, 0}}));
-    for (const ba::Overlay_vertex& v : found.cells().vertices)
+    for (const ba::Overlay_2::Vertex& v : found.cells().vertices)
       EXPECT_TRUE(!(v.point == Point{2, 2}) || found.cells().faces[*v.face].is_bounded);
   }
 }
@@ -225,7 +225,7 @@ TEST(Overlay, HoldsPointsThatAreNoDoubles) {
   const Overlay_2 cells = ba::overlay(tree);
   expect_counts(cells, 5, 4, 1);
   int count = 0;
-  for (const ba::Overlay_vertex& v : cells.vertices) {
+  for (const ba::Overlay_2::Vertex& v : cells.vertices) {
     if (!(std::fabs(v.point.x - v.point.y) < 1e-9)) continue;
     ++count;
     for (const ba::Bracket& b : {v.x, v.y}) {
@@ -239,7 +239,7 @@ TEST(Overlay, HoldsPointsThatAreNoDoubles) {
 TEST(Overlay, IsUndecidedWhereDoublesAlone) {
   const Double_tree a(drawing_of(circle_of_quarters())), b(drawing_of(circle_of_quarters({1, 2, 0})));
   const Overlay_2 cells = ba::overlay(a, b);
-  EXPECT_EQ(cells.status, ba::Outline_status::UNDECIDED);
+  EXPECT_EQ(cells.status, ba::Overlay_2::Status::UNDECIDED);
   EXPECT_TRUE(cells.faces.empty() && cells.edges.empty() && cells.vertices.empty());
   ASSERT_TRUE(cells.undecided);
   EXPECT_NEAR(cells.undecided->at.x, 1, 1e-6);

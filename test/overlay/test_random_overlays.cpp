@@ -174,7 +174,7 @@ TEST(Overlay, IsSoundOnSmallLattices) {
   for (int i = 0; i < cases(40) && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(i);
     std::mt19937 random(static_cast<unsigned>(i));
-    const ba::Overlay_options options{random() % 2 == 0};
+    const ba::Overlay_2::Options options{random() % 2 == 0};
     count += expect_sound(Overlaid(random_operands(random), options), random);
   }
   EXPECT_GT(count, 4 * cases(40));
@@ -185,7 +185,7 @@ TEST(Overlay, IsSoundWhereCurvesAreSomeUlpApart) {
   for (int i = 0; i < cases(30) && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(i);
     std::mt19937 random(static_cast<unsigned>(i));
-    const ba::Overlay_options options{random() % 2 == 0};
+    const ba::Overlay_2::Options options{random() % 2 == 0};
     constexpr double UNITS[] = {1, 0.1, 1 / 3.0, 0.74, 3.7};
     const double unit = UNITS[random() % 5];
     std::vector<Drawing> operands;

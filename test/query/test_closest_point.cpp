@@ -9,7 +9,6 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include "../../src/library/query/Closest_search.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +33,7 @@ Point query_about(const Drawing& drawing, std::mt19937& random) {
   const auto& curve = drawing.curves()[random() % drawing.curves().size()];
   const Bezier& piece = curve.beziers[random() % curve.beziers.size()];
   const double t = random() % 4 == 0 ? static_cast<double>(random() % 2) : 0.5 + 0.5 * unit(random);
-  const ba::Curve_jet jet = ba::Bezier_evaluator(piece)(t);
+  const auto jet = ba::Bezier_evaluator(piece)(t);
   const Point p = jet.point, normal = perp(jet.first);
   switch (random() % 6) {
     case 0:

@@ -31,7 +31,6 @@ using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
 using ba::Bounding_arc_tree_2;
 using ba::Convex_hull;
-using ba::Hull_piece;
 using Point = ba::Xy<double>;
 using Points = std::vector<Point>;
 using Kind = ba::Hull_piece_kind;
@@ -43,7 +42,7 @@ Point at(const Bounding_arc_tree_2& index, const ba::Curve_place& place) {
 Points outline(const Bounding_arc_tree_2& index, const Convex_hull<>& hull) {
   Points points;
   constexpr int PARTS = 256;
-  for (const Hull_piece<>& p : hull.pieces) {
+  for (const Convex_hull<>::Piece& p : hull.pieces) {
     points.push_back(p.from_point);
     if (p.kind == Kind::BITANGENT) continue;
     for (int i = 1; i < PARTS; ++i) {
@@ -64,7 +63,7 @@ double signed_area(const Points& p) {
 void expect_hull(const Bounding_arc_tree_2& index, const Convex_hull<>& hull, double room, const std::string& name) {
   ASSERT_FALSE(hull.pieces.empty()) << name;
   for (std::size_t i = 0; i < hull.pieces.size(); ++i) {
-    const Hull_piece<>&p = hull.pieces[i], &next = hull.pieces[(i + 1) % hull.pieces.size()];
+    const Convex_hull<>::Piece &p = hull.pieces[i], &next = hull.pieces[(i + 1) % hull.pieces.size()];
     EXPECT_LE(ba::euclidean_norm(p.to_point - next.from_point), 1e-3 * room) << name;
     EXPECT_LE(ba::euclidean_norm(at(index, p.from) - p.from_point), 1e-3 * room) << name;
     EXPECT_LE(ba::euclidean_norm(at(index, p.to) - p.to_point), 1e-3 * room) << name;
@@ -98,7 +97,7 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
     const Convex_hull<> hull = ba::convex_hull(index, 1e-6 * place.scale);
     EXPECT_LE(hull.height, 1.01e-6 * place.scale + 1e-13 * std::fabs(place.y) * 100);
     expect_hull(index, hull, 5e-3 * place.scale, "drawing " + std::to_string(i));
-    for (const Hull_piece<>& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
+    for (const Convex_hull<>::Piece& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
     if (HasFailure()) return;
   }
   EXPECT_GT(bitangents, cases(1000));
@@ -111,7 +110,7 @@ TEST(ConvexHull, OfOneCircleIsTheCircle) {
   const Bounding_arc_tree_2 index(drawing);
   const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
-  for (const Hull_piece<>& p : hull.pieces) {
+  for (const Convex_hull<>::Piece& p : hull.pieces) {
     EXPECT_EQ(p.kind, Kind::CURVE);
     EXPECT_EQ(p.from.t, 0);
     EXPECT_EQ(p.to.t, 1);
@@ -143,7 +142,7 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
     const Convex_hull<> hull = ba::convex_hull(index, tolerance);
     const double high = std::sqrt(3.0) / 2;
     int found = 0;
-    for (const Hull_piece<>& p : hull.pieces) {
+    for (const Convex_hull<>::Piece& p : hull.pieces) {
       if (p.kind != Kind::BITANGENT) continue;
       ++found;
       const bool is_upper = p.from_point.y > 0;
@@ -174,7 +173,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
   const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   int bitangents = 0;
-  for (const Hull_piece<>& p : hull.pieces)
+  for (const Convex_hull<>::Piece& p : hull.pieces)
     if (p.kind == Kind::BITANGENT) {
       ++bitangents;
       EXPECT_EQ(p.from_point, (Point{2, 2}));
@@ -196,7 +195,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
     ASSERT_EQ(index.in_unit().number_of_segments(), 3U);
     const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
     ASSERT_EQ(hull.pieces.size(), 3U);
-    for (const Hull_piece<>& p : hull.pieces) {
+    for (const Convex_hull<>::Piece& p : hull.pieces) {
       const bool is_hollow = depth > 0 && p.from_point == Point{2, 0};
       EXPECT_EQ(p.kind, is_hollow ? Kind::BITANGENT : Kind::CURVE);
     }
@@ -233,7 +232,7 @@ TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
 // How far a hull's chain reaches in a direction: parts of curves turn to one side, so that thirds find the farthest.
 Real reach(const Scanned_drawing& curves, const Convex_hull<>& hull, const Vector& n) {
   Real most = -HUGE_VALL;
-  for (const Hull_piece<>& p : hull.pieces) {
+  for (const Convex_hull<>::Piece& p : hull.pieces) {
     Real low = p.from.t, high = p.to.t;
     const auto at = [&](Real t) { return dot(n, curves.at_place(p.from, t)); };
     most = (std::max)({most, at(low), dot(n, widened(p.to_point))});

@@ -49,7 +49,7 @@ TEST(ExactIntersections, ContactOfAChosenOrderIsFoundWithOtherPoints) {
             points[static_cast<std::size_t>(i)] + apart.coefficient(i) * Point{Rational(1), Rational(2)};
       const Piece_intersections found = exact_intersections(a, Curve(points));
       ASSERT_EQ(count_at(found, ratio(1, 3), ratio(1, 3)), 1) << degree << " " << order;
-      for (const Piece_intersection& x : found.points) {
+      for (const Piece_intersections::Intersection& x : found.points) {
         if (!holds(x.a, ratio(1, 3)) || !holds(x.b, ratio(1, 3))) continue;
         EXPECT_EQ(x.kind, order == 1 ? TRANSVERSAL : TANGENTIAL) << degree << " " << order;
       }
@@ -116,7 +116,7 @@ TEST(ExactIntersections, CommonEndsAreExact) {
       const Piece_intersections found = exact_intersections(a, Curve(moved));
       const double end = is_first ? 0 : 1;
       int exact = 0;
-      for (const Piece_intersection& x : found.points)
+      for (const Piece_intersections::Intersection& x : found.points)
         exact += x.a.lower == 1 && x.b.lower == end && x.b.upper == end ? 1 : 0;
       EXPECT_EQ(exact, 1);
     }
@@ -174,7 +174,7 @@ TEST(ExactIntersections, WeightsOfAllSizesMoveNoPoint) {
   const Curve line = curve({{-1, 0}, {0, 0}, {1, 0}}, {1, huge, 1 / huge});
   const Piece_intersections found = exact_intersections(graph({ratio(-1, 4), 0, 1}), line);
   ASSERT_EQ(found.points.size(), 2u);
-  for (const Piece_intersection& p : found.points) EXPECT_EQ(p.kind, TRANSVERSAL);
+  for (const Piece_intersections::Intersection& p : found.points) EXPECT_EQ(p.kind, TRANSVERSAL);
   EXPECT_TRUE(holds(found.points[0].a, ratio(1, 4)));
   EXPECT_TRUE(holds(found.points[1].a, ratio(3, 4)));
   EXPECT_GT(found.points[1].b.upper, 1 - 0x1p-50);
@@ -219,7 +219,9 @@ Bezier_curve_2<double> in_doubles(const Curve& c) {
 TEST(ExactIntersections, RandomCubicsHaveThePointsThatSubdivisionFinds) {
   std::mt19937 random(3);
   // Where tangents are parallel, boxes meet for a long way.
-  const auto tolerance = [](const Piece_intersection& p) { return p.kind == TANGENTIAL ? 0x1p-5 : 0x1p-12; };
+  const auto tolerance = [](const Piece_intersections::Intersection& p) {
+    return p.kind == TANGENTIAL ? 0x1p-5 : 0x1p-12;
+  };
   std::size_t all = 0;
   for (int i = 0; i < cases(600); ++i) {
     const Curve a = random_curve(random, 3, 3 + i % 4), b = random_curve(random, i % 2 == 0 ? 3 : 2, 3);
@@ -227,12 +229,12 @@ TEST(ExactIntersections, RandomCubicsHaveThePointsThatSubdivisionFinds) {
     if (!found.overlaps.empty()) continue;
     Subdivision cells;
     cells.run(in_doubles(a), in_doubles(b), 0, 0, 0);
-    const auto is_near = [&](const Piece_intersection& p, const std::pair<double, double>& c) {
+    const auto is_near = [&](const Piece_intersections::Intersection& p, const std::pair<double, double>& c) {
       const double near = tolerance(p);
       return std::abs(p.a.lower - c.first) < near && std::abs(p.b.lower - c.second) < near;
     };
     all += found.points.size();
-    for (const Piece_intersection& p : found.points)
+    for (const Piece_intersections::Intersection& p : found.points)
       EXPECT_TRUE(std::any_of(cells.left.begin(), cells.left.end(), [&](const auto& c) { return is_near(p, c); })) << i;
     for (const auto& c : cells.left)
       EXPECT_TRUE(std::any_of(found.points.begin(), found.points.end(), [&](const auto& p) { return is_near(p, c); }))
@@ -257,7 +259,7 @@ TEST(ExactIntersections, ChosenPointIsFoundInEveryDegree) {
                                 swapped = exact_intersections(Curve(moved), a);
       EXPECT_EQ(count_at(found, t, s), 1) << m << " " << n;
       EXPECT_EQ(swapped.points.size(), found.points.size()) << m << " " << n;
-      for (const Piece_intersection& p : found.points) {
+      for (const Piece_intersections::Intersection& p : found.points) {
         const auto x = in_doubles(a).point(p.a.lower), y = in_doubles(Curve(moved)).point(p.b.lower);
         EXPECT_NEAR(x.x, y.x, 1e-12);
         EXPECT_NEAR(x.y, y.y, 1e-12);

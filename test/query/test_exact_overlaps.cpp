@@ -73,7 +73,7 @@ TEST(ExactOverlaps, LoopMeetsItselfBesideTheOverlap) {
   EXPECT_EQ(found.points.size(), 2u);
   EXPECT_EQ(count_at(found, ratio(1, 4), ratio(3, 4)), 1);
   EXPECT_EQ(count_at(found, ratio(3, 4), ratio(1, 4)), 1);
-  for (const Piece_intersection& p : found.points) EXPECT_EQ(p.kind, TRANSVERSAL);
+  for (const Piece_intersections::Intersection& p : found.points) EXPECT_EQ(p.kind, TRANSVERSAL);
   // A cusp is on the overlap, twice.
   expect_overlap(
       exact_intersections(parametric({0, 0, 1}, {0, 0, 0, 1}, -1, 1), parametric({0, 0, 1}, {0, 0, 0, 1}, 1, -1)), 0, 1,

@@ -10,11 +10,10 @@
 #include "hard_cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -67,7 +66,8 @@ Found expected_points(const Hard_case& c) {
   return points;
 }
 // Near enough to be the point in a range of a curve, which both hold the exact one.
-bool is_near(const ba::Intersection_2<>& found, double x, double y, const Drawing& a, const Hard_case& c) {
+bool is_near(const ba::Intersections_2<>::Intersection& found, double x, double y, const Drawing& a,
+             const Hard_case& c) {
   const Scanned_drawing curves(a);
   const auto at = [&](double t) { return curves.at(ba::Curve_place{found.a.curve, found.a.bezier, t}); };
   const Real room = length(at(found.a.t.upper) - at(found.a.t.lower)) + rounding(c);
@@ -77,7 +77,7 @@ void expect_common(const ba::Intersections_2<>& found, const Drawing& a, const H
   Found points = expected_points(c);
   EXPECT_EQ(found.points.size(), points.size());
   EXPECT_EQ(found.overlaps.size(), c.expected["overlaps"].get<std::size_t>());
-  for (const ba::Intersection_2<>& p : found.points) {
+  for (const ba::Intersections_2<>::Intersection& p : found.points) {
     const auto match = std::find_if(points.begin(), points.end(), [&](const auto& q) {
       return is_near(p, std::get<0>(q), std::get<1>(q), a, c) &&
              (std::get<2>(q) ? Intersection_kind::TRANSVERSAL : Intersection_kind::TANGENTIAL) == p.kind;
@@ -110,7 +110,7 @@ TEST(HardCases, InDoublesAloneAreRightOrUndecided) {
     const auto verdict = ba::do_intersect(a, b);
     EXPECT_TRUE(!verdict || *verdict == do_meet);
     std::size_t open = 0;
-    for (const ba::Intersection_2<>& p : found.points) open += p.kind == Intersection_kind::UNDECIDED;
+    for (const ba::Intersections_2<>::Intersection& p : found.points) open += p.kind == Intersection_kind::UNDECIDED;
     if (open == 0) {
       expect_common(found, c.a, c);
       ++decided;
@@ -119,7 +119,7 @@ TEST(HardCases, InDoublesAloneAreRightOrUndecided) {
     // what is told is there, and what is not told is in a range that is undecided
     const Found points = expected_points(c);
     EXPECT_LE(found.points.size() - open, points.size());
-    for (const ba::Intersection_2<>& p : found.points) {
+    for (const ba::Intersections_2<>::Intersection& p : found.points) {
       if (p.kind == Intersection_kind::UNDECIDED) continue;
       EXPECT_TRUE(std::any_of(points.begin(), points.end(),
                               [&](const auto& q) { return is_near(p, std::get<0>(q), std::get<1>(q), c.a, c); }));
@@ -224,7 +224,7 @@ TEST(HardCases, HaveTheKnownMeasures) {
 std::vector<Point> outline(const Bounding_arc_tree_2& index, const ba::Convex_hull<>& hull) {
   std::vector<Point> points;
   constexpr int PARTS = 64;
-  for (const ba::Hull_piece<>& p : hull.pieces)
+  for (const ba::Convex_hull<>::Piece& p : hull.pieces)
     for (int i = 0; i < (p.kind == ba::Hull_piece_kind::CURVE ? PARTS : 1); ++i) {
       const double t = p.from.t + (p.to.t - p.from.t) * i / PARTS;
       points.push_back(

@@ -9,7 +9,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
 #include "../../src/library/query/Hausdorff_search.h"
 
 #include <gtest/gtest.h>

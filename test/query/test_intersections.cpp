@@ -8,7 +8,6 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 #include "../../src/library/query/exact_intersections.h"
 
@@ -55,9 +54,9 @@ bool touch(const ba::Bracket& p, const ba::Bracket& q) { return p.lower <= q.upp
 void expect_same(const ba::Piece_intersections& exact, const ba::Intersections_2<>& found, const std::string& place) {
   ASSERT_EQ(exact.points.size(), found.points.size()) << place;
   ASSERT_EQ(exact.overlaps.size(), found.overlaps.size()) << place;
-  for (const ba::Piece_intersection& p : exact.points) {
+  for (const ba::Piece_intersections::Intersection& p : exact.points) {
     bool is_found = false;
-    for (const ba::Intersection_2<>& q : found.points)
+    for (const ba::Intersections_2<>::Intersection& q : found.points)
       is_found = is_found || (touch(p.a, q.a.t) && touch(p.b, q.b.t) && p.kind == q.kind);
     EXPECT_TRUE(is_found) << place << " t " << p.a.lower << " s " << p.b.lower;
   }
@@ -68,7 +67,7 @@ void expect_same(const ba::Piece_intersections& exact, const ba::Piece_intersect
   ASSERT_EQ(exact.overlaps.size(), found.overlaps.size()) << place;
   for (std::size_t i = 0; i < exact.points.size(); ++i) {
     bool is_found = false;
-    for (const ba::Piece_intersection& q : found.points)
+    for (const ba::Piece_intersections::Intersection& q : found.points)
       is_found = is_found ||
                  (touch(exact.points[i].a, q.a) && touch(exact.points[i].b, q.b) && exact.points[i].kind == q.kind);
     EXPECT_TRUE(is_found) << place << " t " << exact.points[i].a.lower << " s " << exact.points[i].b.lower;
@@ -133,21 +132,21 @@ TEST(Intersections, InDoublesAloneAreRightOrUndecided) {
     const ba::Piece_intersections exact =
         ba::exact_intersections(a.in_unit().exact_bezier(0), b.in_unit().exact_bezier(0));
     const ba::Intersections_2<> found = intersections(a, b);
-    for (const ba::Piece_intersection& x : exact.points) {
+    for (const ba::Piece_intersections::Intersection& x : exact.points) {
       bool is_held = false;
-      for (const ba::Intersection_2<>& y : found.points)
+      for (const ba::Intersections_2<>::Intersection& y : found.points)
         is_held =
             is_held || (touch(x.a, y.a.t) && touch(x.b, y.b.t) && (y.kind == Kind::UNDECIDED || y.kind == x.kind));
       EXPECT_TRUE(is_held) << text_of(p) << "| " << text_of(q);
     }
-    for (const ba::Intersection_2<>& y : found.points) {
+    for (const ba::Intersections_2<>::Intersection& y : found.points) {
       ++points;
       if (y.kind == Kind::UNDECIDED) {
         ++undecided;
         continue;
       }
       bool is_exact = false;
-      for (const ba::Piece_intersection& x : exact.points)
+      for (const ba::Piece_intersections::Intersection& x : exact.points)
         is_exact = is_exact || (touch(x.a, y.a.t) && touch(x.b, y.b.t) && x.kind == y.kind);
       EXPECT_TRUE(is_exact) << text_of(p) << "| " << text_of(q);
     }
@@ -164,7 +163,7 @@ TEST(Intersections, OfParabolasThatAlmostTouchAreCounted) {
       const Bezier up(Points{{-1, 1}, {0, -1}, {1, 1}}), down(Points{{-1, -1 - gap}, {0, 1 - gap}, {1, -1 - gap}});
       const ba::Intersections_2<> found = intersections(index_of({up}), index_of({down}));
       ASSERT_EQ(found.points.size(), sign > 0 ? 0U : (sign == 0 ? 1U : 2U)) << exponent << " " << sign;
-      for (const ba::Intersection_2<>& p : found.points)
+      for (const ba::Intersections_2<>::Intersection& p : found.points)
         EXPECT_EQ(p.kind, sign == 0 ? Kind::TANGENTIAL : Kind::TRANSVERSAL);
     }
 }

@@ -126,7 +126,7 @@ TEST(OwnCurves, BecomeChainsWithinTheirErrors) {
     EXPECT_EQ(chain.arcs.front().t0, 0);
     EXPECT_EQ(chain.arcs.back().t1, 1.5);
     for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
-      const Chain_arc_2& arc = chain.arcs[i];
+      const Arc_chain::Arc& arc = chain.arcs[i];
       EXPECT_LE(arc.error, eps);
       if (i > 0) {
         EXPECT_EQ(arc.t0, chain.arcs[i - 1].t1);

@@ -8,14 +8,12 @@
 #include "closed_drawings.h"
 #include "scaled_answers.h"
 
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 #include <CGAL/Bounding_arcs_2/query/signed_distance.h>
@@ -41,7 +39,7 @@ using ba::intersections;
 void add(Answers& to, const ba::Closest_point<>& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
 void add(Answers& to, const ba::Drawing_distance<>& d) {
   to.lengths(d.distance);
-  for (const ba::Drawing_point<>* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
+  for (const ba::Drawing_distance<>::End* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
 }
 void add(Answers& to, const ba::Bracket& t) { to.number(t.lower), to.number(t.upper); }
 void add(Answers& to, const ba::Intersections_2<>& found) {

@@ -68,10 +68,10 @@ TEST(WrittenAnswers, HaveALineForEachSampleOfAnAxis) {
   square.add({Bezier({{0, 0}, {2, 0}}), Bezier({{2, 0}, {2, 2}}), Bezier({{2, 2}, {0, 2}}), Bezier({{0, 2}, {0, 0}})});
   const ba::Medial_axis_2 axis = ba::medial_axis(ba::Bounding_arc_tree_2(square), 1e-3);
   std::ptrdiff_t lines = 0;
-  for (const ba::Medial_edge& edge : axis.edges) lines += static_cast<std::ptrdiff_t>(edge.samples.size()) + 1;
+  for (const ba::Medial_axis_2::Edge& edge : axis.edges) lines += static_cast<std::ptrdiff_t>(edge.samples.size()) + 1;
   const std::string text = written(axis);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), lines);
-  const ba::Medial_sample& first = axis.edges.front().samples.front();
+  const ba::Medial_axis_2::Sample& first = axis.edges.front().samples.front();
   EXPECT_EQ(text.substr(0, text.find('\n')), written(first));
   EXPECT_EQ(written(first), written(first.center) + " " + written(first.radius) + " " + written(first.left) + " " +
                                 written(first.right));

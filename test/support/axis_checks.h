@@ -24,7 +24,7 @@
 namespace bounding_arcs_test {
 
 using ba::Medial_axis_2;
-using Status = ba::Medial_axis_status;
+using Status = ba::Medial_axis_2::Status;
 
 inline Drawing reversed(const Drawing& drawing) {
   Drawing result;
@@ -51,11 +51,11 @@ inline std::size_t leaves_of(const Medial_axis_2& axis) {
   return static_cast<std::size_t>(std::count(all.begin(), all.end(), 1U));
 }
 // The vertex at a point. It has to be there.
-inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point& p, double room) {
+inline const ba::Medial_axis_2::Vertex& vertex_at(const Medial_axis_2& axis, const Point& p, double room) {
   for (const auto& v : axis.vertices)
     if (std::hypot(v.center.x - p.x, v.center.y - p.y) <= room) return v;
   ADD_FAILURE() << "no vertex at " << p.x << " " << p.y;
-  static const ba::Medial_vertex none;
+  static const ba::Medial_axis_2::Vertex none;
   return none;
 }
 
@@ -108,7 +108,7 @@ inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, doub
 
 // The axis of a drawing whose last curve is a frame.
 inline Medial_axis_2 framed_axis_of(const Drawing& drawing, double eps = 1e-6) {
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = true;
   return ba::medial_axis(ba::Bounding_arc_tree_2(drawing), eps, options);
 }

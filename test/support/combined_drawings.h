@@ -93,8 +93,8 @@ template <class Tree> Combined combined(const Drawing& a, const Drawing& b, cons
     using FT = typename Tree::FT;
     const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
     Combined made{outline_of(tree_a, tree_b, how), {}};
-    if (made.outline.status == ba::Outline_status::UNDECIDED) throw Fault("undecided", "no outline");
-    if (made.outline.status != ba::Outline_status::COMPLETE) throw Fault("incomplete", "another status");
+    if (made.outline.status == ba::Outline_2::Status::UNDECIDED) throw Fault("undecided", "no outline");
+    if (made.outline.status != ba::Outline_2::Status::COMPLETE) throw Fault("incomplete", "another status");
     made.rounded = ba::outline_drawing({&tree_a, &tree_b}, made.outline);
     return made;
   });

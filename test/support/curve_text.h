@@ -28,7 +28,6 @@ using CGAL::Bounding_arcs::Input_error;
 using CGAL::Bounding_arcs::read_curve_file_from_text;
 using CGAL::Bounding_arcs::read_curves;
 using CGAL::Bounding_arcs::read_curves_from_text;
-using CGAL::Bounding_arcs::Reading_options;
 using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<double>;
 using Exact = CGAL::Exact_rational;
 using Point = CGAL::Bounding_arcs::Xy<double>;
@@ -44,7 +43,7 @@ inline std::string svg(const std::string& content, const std::string& attributes
 }
 
 // A drawing with all that its reader says of it.
-inline Curve_file read_svg_file(const std::string& content, const Reading_options& options = {}) {
+inline Curve_file read_svg_file(const std::string& content, const Curve_file::Options& options = {}) {
   return read_curve_file_from_text(svg(content), "shape.json", "shape", options);
 }
 

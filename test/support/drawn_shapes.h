@@ -11,7 +11,7 @@
 #include "near_equal_discs.h"
 #include "nudged_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace bounding_arcs_test {
 /// A drawing and which axis of it.
 struct Axis_case {
   Drawing drawing;
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
 };
 
 /// A whole number, or a random one of the same range.

@@ -18,7 +18,6 @@ namespace bounding_arcs_test {
 
 using CGAL::Bounding_arcs::Curve_file;
 using CGAL::Bounding_arcs::Fill_rule;
-using CGAL::Bounding_arcs::Reading_options;
 
 // Groups are written with | between codes and values.
 inline std::string lines(std::string text) {
@@ -32,7 +31,7 @@ inline std::string section(const std::string& name, const std::string& content) 
 inline std::string dxf(const std::string& entities, const std::string& blocks = "", const std::string& tables = "") {
   return lines(section("TABLES", tables) + section("BLOCKS", blocks) + section("ENTITIES", entities) + "0|EOF|");
 }
-inline Curve_file read_text(const std::string& text, const Reading_options& options = {}) {
+inline Curve_file read_text(const std::string& text, const Curve_file::Options& options = {}) {
   return CGAL::Bounding_arcs::read_curve_file_from_text(text, "in.dxf", "in", options);
 }
 inline Curve_file read_entities(const std::string& entities, const std::string& blocks = "") {

@@ -97,7 +97,7 @@ inline bool holds(const Bracket& r, const Rational& t) { return Rational(r.lower
 /// How many points are at these parameters.
 inline int count_at(const Piece_intersections& found, const Rational& a, const Rational& b) {
   int count = 0;
-  for (const Piece_intersection& p : found.points) count += holds(p.a, a) && holds(p.b, b) ? 1 : 0;
+  for (const Piece_intersections::Intersection& p : found.points) count += holds(p.a, a) && holds(p.b, b) ? 1 : 0;
   return count;
 }
 
@@ -110,8 +110,8 @@ inline void expect_one(const Piece_intersections& found, const Rational& a, cons
 }
 
 /// Whether an overlap is that from (a0, b0) to (a1, b1).
-inline bool is_overlap(const Piece_overlap& o, const Rational& a0, const Rational& a1, const Rational& b0,
-                       const Rational& b1) {
+inline bool is_overlap(const Piece_intersections::Overlap& o, const Rational& a0, const Rational& a1,
+                       const Rational& b0, const Rational& b1) {
   return holds(o.a_from, a0) && holds(o.a_to, a1) && holds(o.b_from, b0) && holds(o.b_to, b1);
 }
 inline void expect_overlap(const Piece_intersections& found, const Rational& a0, const Rational& a1, const Rational& b0,

@@ -21,7 +21,7 @@
 namespace bounding_arcs_test {
 
 /// Nothing crosses, nor passes a corner twice, which a sweep takes for neighbours.
-inline bool do_not_cross(const std::vector<CGAL::Bounding_arcs::Offset_chain>& chains) {
+inline bool do_not_cross(const std::vector<CGAL::Bounding_arcs::Offset::Chain>& chains) {
   using Traits = CGAL::Arr_circle_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
   std::vector<Traits::Curve_2> curves;
   std::set<std::pair<double, double>> corners;

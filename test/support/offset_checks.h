@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ namespace bounding_arcs_test {
 
 using ba::Offset;
 /// Options of an offset, and how near it is to be.
-struct Offset_options : ba::Offset_options {
+struct Offset_options : ba::Offset::Options {
   double eps = 1e-6;
 };
 inline ba::Offset_source_2 offset_source(const Drawing& drawing, const Offset_options& options = {}) {
@@ -84,7 +84,7 @@ inline Offset_options within(double eps) {
 
 // What holds for all: complete, chains that close, directed and nested as told.
 inline void expect_sound(const Offset& offset) {
-  EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+  EXPECT_EQ(offset.status, ba::Offset::Status::COMPLETE);
   for (const auto& chain : offset.chains) {
     ASSERT_FALSE(chain.pieces.empty());
     for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i)

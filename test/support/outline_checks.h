@@ -103,7 +103,7 @@ inline double area_of(const Drawing& drawing, double eps) {
 }
 
 // What changes of the parts of outlines is to be changed here.
-inline bool is_reversed(const ba::Outline_part& part) { return part.is_reversed; }
+inline bool is_reversed(const ba::Outline_2::Part& part) { return part.is_reversed; }
 
 /// A common point of the operands that is inside two parts, exactly. There is none.
 inline std::optional<Point> crossing_of_parts(const Outline_2& outline, const std::vector<const Drawing*>& operands) {
@@ -176,7 +176,7 @@ inline void expect_single_chains(const Outline_2& outline, const Drawing& drawin
 inline void expect_outline(const Operands& operands, Boolean_operation operation, const Fill_rules& rules,
                            std::mt19937& random, int points, const std::string& name) {
   const Outline_2 outline = operands.outline(operation, rules);
-  ASSERT_EQ(outline.status, ba::Outline_status::COMPLETE) << name;
+  ASSERT_EQ(outline.status, ba::Outline_2::Status::COMPLETE) << name;
   for (const auto& chain : outline.chains)
     for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
       ASSERT_EQ(chain.parts[i].end, chain.parts[(i + 1) % n].start) << name;

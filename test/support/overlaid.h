@@ -39,16 +39,15 @@
 namespace bounding_arcs_test {
 
 using ba::Overlay_2;
-using ba::Overlay_side;
 using Number = CGAL::Exact_rational;
 using Exact_point = ba::Xy<Number>;
 
-constexpr ba::Overlay_options AT_JOINTS{true};
+constexpr ba::Overlay_2::Options AT_JOINTS{true};
 
 /// Trees of drawings, with what they cut the plane into.
 class Overlaid {
  public:
-  explicit Overlaid(std::vector<Drawing> drawings, const ba::Overlay_options& options = {})
+  explicit Overlaid(std::vector<Drawing> drawings, const ba::Overlay_2::Options& options = {})
       : drawings_(std::move(drawings)) {
     trees_.reserve(drawings_.size());
     for (const Drawing& d : drawings_) trees_.emplace_back(d);
@@ -76,7 +75,7 @@ class Overlaid {
 };
 
 inline void expect_counts(const Overlay_2& cells, std::size_t vertices, std::size_t edges, std::size_t faces) {
-  EXPECT_EQ(cells.status, ba::Outline_status::COMPLETE);
+  EXPECT_EQ(cells.status, ba::Outline_2::Status::COMPLETE);
   EXPECT_EQ(cells.vertices.size(), vertices);
   EXPECT_EQ(cells.edges.size(), edges);
   EXPECT_EQ(cells.faces.size(), faces);
@@ -90,10 +89,10 @@ inline std::vector<std::vector<int>> windings_of(const Overlay_2& cells) {
 }
 
 /// The vertex where a side begins; nothing of a closed curve without any.
-inline std::optional<std::uint32_t> start_of(const Overlay_2& cells, const Overlay_side& s) {
+inline std::optional<std::uint32_t> start_of(const Overlay_2& cells, const Overlay_2::Side& s) {
   return s.is_reversed ? cells.edges[s.edge].to : cells.edges[s.edge].from;
 }
-inline std::optional<std::uint32_t> end_of(const Overlay_2& cells, const Overlay_side& s) {
+inline std::optional<std::uint32_t> end_of(const Overlay_2& cells, const Overlay_2::Side& s) {
   return start_of(cells, {s.edge, !s.is_reversed});
 }
 
@@ -101,11 +100,11 @@ inline std::optional<std::uint32_t> end_of(const Overlay_2& cells, const Overlay
 inline void expect_boundaries(const Overlay_2& cells) {
   std::set<std::pair<std::uint32_t, bool>> sides;
   for (std::uint32_t f = 0; f < cells.faces.size(); ++f) {
-    const ba::Overlay_face& face = cells.faces[f];
+    const ba::Overlay_2::Face& face = cells.faces[f];
     EXPECT_EQ(face.is_bounded, f > 0);
     EXPECT_EQ(face.way_out.has_value(), f > 0);
     EXPECT_TRUE(f == 0 || !face.boundaries.empty());
-    const auto left_of = [&](const Overlay_side& s) {
+    const auto left_of = [&](const Overlay_2::Side& s) {
       return s.is_reversed ? cells.edges[s.edge].right : cells.edges[s.edge].left;
     };
     if (face.way_out) {
@@ -127,7 +126,7 @@ inline void expect_euler(const Overlay_2& cells) {
   std::size_t vertices = cells.vertices.size();
   boost::disjoint_sets_with_storage<> parts(vertices + cells.edges.size());
   for (std::size_t v = 0; v < vertices; ++v) parts.make_set(v);
-  for (const ba::Overlay_edge& e : cells.edges) {
+  for (const ba::Overlay_2::Edge& e : cells.edges) {
     if (e.from) parts.union_set(*e.from, *e.to);
     else parts.make_set(vertices++);
   }
@@ -144,10 +143,10 @@ inline void expect_all_parts(const Overlaid& overlaid) {
     std::multiset<std::pair<double, double>> from, to;
   };
   std::map<Piece_number, Ends> parts;
-  for (const ba::Overlay_edge& e : overlaid.cells().edges) {
+  for (const ba::Overlay_2::Edge& e : overlaid.cells().edges) {
     EXPECT_FALSE(e.sources.empty() || e.sources.front().is_reversed);
-    for (const ba::Overlay_source& s : e.sources)
-      for (const ba::Overlay_part& p : s.parts) {
+    for (const ba::Overlay_2::Source& s : e.sources)
+      for (const ba::Overlay_2::Part& p : s.parts) {
         const ba::Bracket &low = s.is_reversed ? p.to : p.from, &high = s.is_reversed ? p.from : p.to;
         EXPECT_LE(low.lower, high.upper);
         Ends& ends = parts[{s.operand, s.curve, p.bezier}];
@@ -170,19 +169,19 @@ inline void expect_all_parts(const Overlaid& overlaid) {
 // Exact points of curves at single parameters of vertices are in the brackets of these, which are some ulp wide.
 inline void expect_brackets(const Overlaid& overlaid) {
   const Overlay_2& cells = overlaid.cells();
-  for (const ba::Overlay_vertex& v : cells.vertices) {
+  for (const ba::Overlay_2::Vertex& v : cells.vertices) {
     EXPECT_TRUE(v.x.lower <= v.point.x && v.point.x <= v.x.upper && v.y.lower <= v.point.y && v.point.y <= v.y.upper);
   }
-  for (const ba::Overlay_edge& e : cells.edges) {
+  for (const ba::Overlay_2::Edge& e : cells.edges) {
     if (!e.from) continue;
-    for (const ba::Overlay_source& s : e.sources)
+    for (const ba::Overlay_2::Source& s : e.sources)
       for (const bool is_start : {true, false}) {
-        const ba::Overlay_part& part = is_start ? s.parts.front() : s.parts.back();
+        const ba::Overlay_2::Part& part = is_start ? s.parts.front() : s.parts.back();
         const ba::Bracket& t = is_start ? part.from : part.to;
         if (!t.is_single()) continue;
         const auto& piece = overlaid.drawings()[s.operand].curves()[s.curve].beziers[part.bezier];
         const Exact_point p = ba::exact_bezier(piece).point(Number(t.lower));
-        const ba::Overlay_vertex& v = cells.vertices[is_start ? *e.from : *e.to];
+        const ba::Overlay_2::Vertex& v = cells.vertices[is_start ? *e.from : *e.to];
         EXPECT_TRUE(Number(v.x.lower) <= p.x && p.x <= Number(v.x.upper));
         EXPECT_TRUE(Number(v.y.lower) <= p.y && p.y <= Number(v.y.upper));
       }
@@ -232,9 +231,9 @@ inline int expect_windings(const Overlaid& overlaid, std::mt19937& random) {
   int count = 0;
   constexpr std::size_t MOST = 8;  // exact numbers of that many digits take their time
   for (std::size_t k = 0; k < (std::min)(cells.edges.size(), MOST); ++k) {
-    const ba::Overlay_edge& e = cells.edges[cells.edges.size() <= MOST ? k : random() % cells.edges.size()];
-    const ba::Overlay_source& source = e.sources[random() % e.sources.size()];
-    const ba::Overlay_part& part = source.parts[random() % source.parts.size()];
+    const ba::Overlay_2::Edge& e = cells.edges[cells.edges.size() <= MOST ? k : random() % cells.edges.size()];
+    const ba::Overlay_2::Source& source = e.sources[random() % e.sources.size()];
+    const ba::Overlay_2::Part& part = source.parts[random() % source.parts.size()];
     const ba::Bracket &low = source.is_reversed ? part.to : part.from, &high = source.is_reversed ? part.from : part.to;
     constexpr double LONG = 0x1p-40, STEP = 0x1p-60, BESIDE = 0x1p-160;
     if (!(high.lower - low.upper > LONG)) continue;
@@ -275,7 +274,7 @@ inline void expect_areas(const Overlaid& overlaid, double eps) {
 }
 
 inline int expect_sound(const Overlaid& overlaid, std::mt19937& random) {
-  EXPECT_EQ(overlaid.cells().status, ba::Outline_status::COMPLETE);
+  EXPECT_EQ(overlaid.cells().status, ba::Outline_2::Status::COMPLETE);
   expect_boundaries(overlaid.cells());
   expect_euler(overlaid.cells());
   expect_all_parts(overlaid);

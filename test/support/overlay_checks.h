@@ -26,7 +26,7 @@ namespace bounding_arcs_test {
 /// How far rounding moves the curve of a part, at most. In units of the roundings of coordinates, 2^-53 of the largest
 /// one: two splits have 3 for each step, 18 for a cubic, and 36 where weights are blended, too; a place that is a
 /// double away is 3 control polygons long times 2 roundings; the ends take one each.
-inline double moved_by_rounding(const ba::Outline_part& part, const Bezier& source) {
+inline double moved_by_rounding(const ba::Outline_2::Part& part, const Bezier& source) {
   constexpr double ROUNDINGS = 64;
   double size = 0, step = 0, least = source.weight(0), most = least;
   const auto& p = source.control_points();
@@ -118,7 +118,7 @@ class Checked_outline {
     }
   };
 
-  [[nodiscard]] const Bezier& source(const ba::Outline_part& p) const {
+  [[nodiscard]] const Bezier& source(const ba::Outline_2::Part& p) const {
     return operands_.at(p.operand)->curves().at(p.curve).beziers.at(p.bezier);
   }
   [[nodiscard]] static std::string at(const Point& q) {
@@ -149,14 +149,14 @@ class Checked_outline {
     }
   }
   // Parts end at one rounded vertex, which may have been computed from either.
-  [[nodiscard]] std::vector<double> rooms_of(const std::vector<ba::Outline_part>& parts) const {
+  [[nodiscard]] std::vector<double> rooms_of(const std::vector<ba::Outline_2::Part>& parts) const {
     std::vector<double> own, rooms;
     for (const auto& part : parts) own.push_back(moved_by_rounding(part, source(part)));
     for (std::size_t i = 0, n = own.size(); i < n; ++i)
       rooms.push_back((std::max)({own[(i + n - 1) % n], own[i], own[(i + 1) % n]}));
     return rooms;
   }
-  void check_places(const std::vector<ba::Outline_part>& parts) const {
+  void check_places(const std::vector<ba::Outline_2::Part>& parts) const {
     const std::vector<double> rooms = rooms_of(parts);
     const auto check = [&](std::size_t i, const ba::Bracket& t, const Point& q) {
       const Point away = source(parts[i]).point(t.middle()) - q;

@@ -35,9 +35,9 @@ inline std::pair<CGAL::Bounding_arcs::Xy<Quad>, CGAL::Bounding_arcs::Xy<Quad>> p
 
 /// The disc that touches at `place`, and the curve of the place that it touches in double: by secants for the foot
 /// there. None where that is not found within `room` of the one in double.
-inline std::optional<CGAL::Bounding_arcs::Maximal_disc> precise_disc(
+inline std::optional<CGAL::Bounding_arcs::Maximal_discs_2::Disc> precise_disc(
     const CGAL::Bounding_arcs::Bounding_arc_tree_2& curves, const CGAL::Bounding_arcs::Curve_place& place,
-    const CGAL::Bounding_arcs::Maximal_disc& disc, double room) {
+    const CGAL::Bounding_arcs::Maximal_discs_2::Disc& disc, double room) {
   using namespace CGAL::Bounding_arcs;
   const auto bezier = [&](const Curve_place& p) -> const Bezier_curve_2<double>& {
     return curves.in_unit().bezier(curves.in_unit().number_of_bezier(p.curve, p.bezier));
@@ -70,7 +70,7 @@ inline std::optional<CGAL::Bounding_arcs::Maximal_disc> precise_disc(
   }
   beside(foot);
   const Xy<Quad> precise = p + radius * normal;
-  const Maximal_disc found{
+  const Maximal_discs_2::Disc found{
       {static_cast<double>(precise.x), static_cast<double>(precise.y)}, static_cast<double>(radius), disc.touches};
   if (!(euclidean_norm(found.center - disc.center) <= room)) return std::nullopt;
   return found;

@@ -41,7 +41,7 @@ using All_traits =
 /// A piece whose thickness can be bounded on its own.
 using Spiral_source = ba::Piece_source<Spiral>;
 
-inline ba::Build_options nodes_of_kind(ba::Node_kind kind) {
+inline ba::Build_options nodes_of_kind(ba::Build_options::Nodes kind) {
   ba::Build_options options;
   options.nodes = kind;
   return options;

@@ -29,8 +29,8 @@ using nlohmann::json;
 
 Point point_of(const json& xy) { return {xy.at(0).get<double>(), xy.at(1).get<double>()}; }
 
-ba::Arc_side_2 side_of(const json& chain) {
-  ba::Arc_side_2 side;
+ba::Arc_region_2::Side side_of(const json& chain) {
+  ba::Arc_region_2::Side side;
   side.size = chain.size();
   for (std::size_t i = 0; i < side.size; ++i)
     side.bulges[i] = chain[i].at("type") == "arc" ? chain[i].at("bulge").get<double>() : 0;

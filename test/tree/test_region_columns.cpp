@@ -30,9 +30,9 @@ namespace test_region_columns {
 namespace {
 
 using namespace bounding_arcs_test;
+using ba::Build_options;
 using ba::Instruction_set;
 using ba::Node_handle;
-using ba::Node_kind;
 using ba::Region_columns;
 
 template <class Traits> using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
@@ -49,7 +49,7 @@ using All = testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2
 TYPED_TEST_SUITE(Regions, All);
 
 TYPED_TEST(Regions, HaveARowALeafInCurveOrder) {
-  for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED})
+  for (const Build_options::Nodes kind : {Build_options::Nodes::STORED, Build_options::Nodes::EQUALIZED})
     for (const double eps : {1e-1, 1e-4}) {
       const Tree<TypeParam> tree(various_spirals(1, 12), eps, nodes_of_kind(kind));
       const Region_columns columns = regions_of(tree);
@@ -94,8 +94,8 @@ TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
     EXPECT_EQ(base.x, other.x);
     EXPECT_EQ(base.y, other.y);
     for (const auto side : {&Region_columns::inner, &Region_columns::outer})
-      for (const auto column : {&ba::Side_columns::bulge, &ba::Side_columns::joint_x, &ba::Side_columns::joint_y,
-                                &ba::Side_columns::second_bulge})
+      for (const auto column : {&ba::Region_columns::Side::bulge, &ba::Region_columns::Side::joint_x,
+                                &ba::Region_columns::Side::joint_y, &ba::Region_columns::Side::second_bulge})
         EXPECT_EQ((base.*side).*column, (other.*side).*column);
   }
 }
@@ -183,9 +183,9 @@ TYPED_TEST(Regions, OfDegenerateCurvesHoldThemWhereSingleOnesDo) {
 }
 
 // How far two sides over nearly the same ends are from each other, at most.
-double distance(const ba::Arc_region_2& a, const ba::Arc_region_2& b, ba::Arc_side_2 ba::Arc_region_2::*side) {
+double distance(const ba::Arc_region_2& a, const ba::Arc_region_2& b, ba::Arc_region_2::Side ba::Arc_region_2::*side) {
   const auto length = [](const Point& v) { return std::hypot(v.x, v.y); };
-  const ba::Arc_side_2 &p = a.*side, &q = b.*side;
+  const ba::Arc_region_2::Side &p = a.*side, &q = b.*side;
   EXPECT_EQ(p.size, q.size);
   double most = (std::max)(length(a.from - b.from), length(a.to - b.to));
   const Point ends[] = {a.from, p.size == 2 ? p.joint : a.to, a.to};
@@ -308,14 +308,14 @@ TEST(RegionColumns, KeepNothingOfTheTreeBefore) {
   for (std::size_t i = 0; i < spirals.size(); ++i)
     for (std::size_t row = fresh.first[i]; row + 1 < fresh.first[i + 1]; ++row)
       for (const auto side : {&ba::Arc_region_2::inner, &ba::Arc_region_2::outer}) {
-        const ba::Arc_side_2 is = columns.region(row).*side, expected = fresh.region(row).*side;
+        const ba::Arc_region_2::Side is = columns.region(row).*side, expected = fresh.region(row).*side;
         EXPECT_EQ(is.size, expected.size);
         EXPECT_EQ(is.bulges[0], expected.bulges[0]);
       }
 }
 
 TEST(RegionColumns, AreNotMadeOfLazyNodes) {
-  const Tree<ba::Bca_traits_2<Kernel>> tree(various_spirals(6, 2), 1e-2, nodes_of_kind(Node_kind::LAZY));
+  const Tree<ba::Bca_traits_2<Kernel>> tree(various_spirals(6, 2), 1e-2, nodes_of_kind(Build_options::Nodes::LAZY));
   EXPECT_THROW(regions_of(tree), std::invalid_argument);
 }
 

@@ -23,13 +23,13 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Arc_region_2;
+using ba::Build_options;
 using ba::Instruction_set;
 using ba::Node_handle;
-using ba::Node_kind;
 
 template <class Traits> using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
 
-void expect_same_side(const ba::Arc_side_2& a, const ba::Arc_side_2& b) {
+void expect_same_side(const ba::Arc_region_2::Side& a, const ba::Arc_region_2::Side& b) {
   ASSERT_EQ(a.size, b.size);
   for (std::size_t i = 0; i < a.size; ++i) EXPECT_EQ(a.bulges[i], b.bulges[i]);
   if (a.size == 2) {
@@ -59,7 +59,7 @@ using All = testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2
 TYPED_TEST_SUITE(RegionReader, All);
 
 TYPED_TEST(RegionReader, GivesTheBitsOfColumns) {
-  for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED})
+  for (const Build_options::Nodes kind : {Build_options::Nodes::STORED, Build_options::Nodes::EQUALIZED})
     for (const Instruction_set set : {Instruction_set::NONE, Instruction_set::BASE, Instruction_set::BEST}) {
       const Tree<TypeParam> tree(various_spirals(1), 1e-4, nodes_of_kind(kind));
       ba::Region_columns columns;
@@ -81,7 +81,8 @@ TYPED_TEST(RegionReader, GivesTheBitsOfColumns) {
 // Of nodes that are no leaves and of lazy ones: the regions of a tree of which they are leaves.
 TYPED_TEST(RegionReader, GivesTheBitsOfColumnsAboveLeaves) {
   const std::vector<Spiral> spirals = various_spirals(2);
-  const Tree<TypeParam> coarse(spirals, 1e-2), fine(spirals, 1e-5), lazy(spirals, 1e-5, nodes_of_kind(Node_kind::LAZY));
+  const Tree<TypeParam> coarse(spirals, 1e-2), fine(spirals, 1e-5),
+      lazy(spirals, 1e-5, nodes_of_kind(Build_options::Nodes::LAZY));
   ba::Region_columns columns;
   make_regions(coarse, columns);
   ba::Region_reader<Tree<TypeParam>> of_fine(fine), of_lazy(lazy);
@@ -112,7 +113,8 @@ TYPED_TEST(RegionReader, GivesTheBitsOfColumnsAboveLeaves) {
 }
 
 TYPED_TEST(RegionReader, GivesChildrenAsSingleNodes) {
-  for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED, Node_kind::LAZY}) {
+  for (const Build_options::Nodes kind :
+       {Build_options::Nodes::STORED, Build_options::Nodes::EQUALIZED, Build_options::Nodes::LAZY}) {
     const Tree<TypeParam> tree(various_spirals(3), 1e-3, nodes_of_kind(kind));
     ba::Region_reader<Tree<TypeParam>> reader(tree), other(tree);
     std::size_t nodes = 0;

@@ -261,7 +261,7 @@ TYPED_TEST(Tree, IsTheSameWhenItIsLazy) {
   for (const double eps : {1e-1, 1e-3, 1e-6}) {
     const std::vector<Spiral> spirals = served_and_other_spirals(409, 4);
     const Region_hierarchy_2<TypeParam, Spiral> eager(spirals, eps);
-    const Region_hierarchy_2<TypeParam, Spiral> lazy(spirals, eps, nodes_of_kind(Node_kind::LAZY));
+    const Region_hierarchy_2<TypeParam, Spiral> lazy(spirals, eps, nodes_of_kind(Build_options::Nodes::LAZY));
     EXPECT_EQ(nodes_of(lazy), nodes_of(eager));
     EXPECT_EQ(lazy.number_of_boxes(), eager.number_of_boxes());
   }
@@ -303,8 +303,9 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
        {std::tuple(std::size_t(3), std::size_t(5), n - 6, n), std::tuple(std::size_t(0), std::size_t(10), n - 1, n),
         std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5), std::tuple(std::size_t(0), std::size_t(9), n, n),
         std::tuple(std::size_t(4), std::size_t(4), n - 3, n)}) {
-    for (const auto& [nodes, keep] : {std::pair(Node_kind::STORED, false), std::pair(Node_kind::STORED, true),
-                                      std::pair(Node_kind::EQUALIZED, false)}) {
+    for (const auto& [nodes, keep] :
+         {std::pair(Build_options::Nodes::STORED, false), std::pair(Build_options::Nodes::STORED, true),
+          std::pair(Build_options::Nodes::EQUALIZED, false)}) {
       Build_options options;
       options.nodes = nodes;
       options.keep_thickness = keep;
@@ -325,7 +326,8 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
 TYPED_TEST(Tree, IsAsItWasAfterAReplacementThatThrows) {
   const std::vector<Spiral> spirals = random_spirals(411, 12);
   const std::size_t n = spirals.size();
-  for (const Node_kind nodes : {Node_kind::STORED, Node_kind::EQUALIZED, Node_kind::LAZY}) {
+  for (const Build_options::Nodes nodes :
+       {Build_options::Nodes::STORED, Build_options::Nodes::EQUALIZED, Build_options::Nodes::LAZY}) {
     Build_options options;
     options.nodes = nodes;
     Region_hierarchy_2<TypeParam, Spiral> tree(spirals, 1e-3, options);

@@ -109,16 +109,17 @@ TYPED_TEST(TreeLimits, AnEmptyTreeIsATree) {
   expect_nothing_counted(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, {}, TypeParam(), CGAL::Parallel_tag()),
                          Build_status::COMPLETE);
 #endif
-  expect_nothing_counted(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::EQUALIZED)),
-                         Build_status::COMPLETE);
-  expect_empty(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::LAZY)));
+  expect_nothing_counted(
+      Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Build_options::Nodes::EQUALIZED)),
+      Build_status::COMPLETE);
+  expect_empty(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Build_options::Nodes::LAZY)));
 
   const std::vector<Spiral> spirals = random_spirals(412, 3);
   Build_options options;
   options.max_nodes = spirals.size() - 1;
   Region_hierarchy_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
   expect_nothing_counted(tree, Build_status::REGION_LIMIT);
-  options.nodes = Node_kind::EQUALIZED;
+  options.nodes = Build_options::Nodes::EQUALIZED;
   const Region_hierarchy_2<TypeParam, Spiral> optimal(spirals, 1e-3, options);
   expect_nothing_counted(optimal, Build_status::REGION_LIMIT);
   tree.replace(0, 0, {});
@@ -293,7 +294,7 @@ TEST(JetSpiral, IsHalvedAsFarAsParametersGo) {
   const Own spiral({}, 1, 1 + 0x1p-46, 1e-15);
   const int levels = Spiral_grid(spiral.first(), spiral.last()).levels();
   ASSERT_GT(levels, 3);
-  for (const Node_kind kind : {Node_kind::STORED, Node_kind::LAZY}) {
+  for (const Build_options::Nodes kind : {Build_options::Nodes::STORED, Build_options::Nodes::LAZY}) {
     const Region_hierarchy_2<Bca_traits_2<Kernel>, Own> tree({spiral}, 1e-9, nodes_of_kind(kind));
     std::size_t leaves = 0;
     double largest = 0;
@@ -303,7 +304,7 @@ TEST(JetSpiral, IsHalvedAsFarAsParametersGo) {
     });
     EXPECT_EQ(leaves, std::size_t(1) << levels);
     EXPECT_GT(largest, 1e-9);
-    if (kind == Node_kind::LAZY) continue;  // what its leaves reach is not known before
+    if (kind == Build_options::Nodes::LAZY) continue;  // what its leaves reach is not known before
     EXPECT_EQ(tree.status(), Build_status::RESOLUTION_REACHED);
     EXPECT_GE(tree.bound(), largest);
   }

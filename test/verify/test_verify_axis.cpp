@@ -25,15 +25,13 @@ namespace test_verify_axis {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Axis_check_options;
-using ba::Axis_fault;
 using ba::Axis_verification;
 
 constexpr double EPS = 1e-4;
 constexpr std::size_t MIDDLE = 12;  // of samples of the longest edge
 
 Drawing bundled(const std::string& name) { return ba::read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/" + name + ".json"); }
-void expect_right(const Drawing& drawing, const Medial_axis_2& axis, const Axis_check_options& options = {}) {
+void expect_right(const Drawing& drawing, const Medial_axis_2& axis, const Axis_verification::Options& options = {}) {
   const Axis_verification v = ba::verify_axis(drawing, axis, options);
   EXPECT_TRUE(v.is_right());
   for (const auto& f : v.findings) ADD_FAILURE() << name_of(f.fault) << ' ' << f.place << ' ' << f.amount;
@@ -55,7 +53,7 @@ TEST(AxisCheck, FindsNothingInAxesOfRandomSplinesWithAndWithoutAFrame) {
   const Drawing drawing = spline_field(random, 10, 8);
   expect_right(drawing, axis_of(drawing, EPS));
   const Drawing framed = ba::framed(drawing, 1);
-  Axis_check_options options;
+  Axis_verification::Options options;
   options.is_framed = true;
   expect_right(framed, framed_axis_of(framed, EPS), options);
 }
@@ -69,7 +67,7 @@ TEST(AxisCheck, FindsNothingInAxesWithCornersHolesOpenCurvesAndPoints) {
   strokes.add(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}}));
   strokes.add(Bezier({{2, 3}, {2, 3}}));
   const Drawing framed = ba::framed(strokes, 1);
-  Axis_check_options options;
+  Axis_verification::Options options;
   options.is_framed = true;
   expect_right(framed, framed_axis_of(framed, EPS), options);
 }
@@ -125,24 +123,24 @@ class BrokenAxis : public testing::Test {
   }
   // The check finds one of these faults after a change, and nothing before it.
   template <class Change>
-  void expect_found(std::initializer_list<Axis_fault> faults, const Change& change,
-                    const Axis_check_options& options = {}) {
+  void expect_found(std::initializer_list<Axis_verification::Fault> faults, const Change& change,
+                    const Axis_verification::Options& options = {}) {
     ASSERT_TRUE(ba::verify_axis(drawing_, axis_).is_right());
     Medial_axis_2 broken = axis_;
     change(broken);
     const Axis_verification v = ba::verify_axis(drawing_, broken, options);
     EXPECT_FALSE(v.is_right());
-    for (const Axis_fault fault : faults) {
+    for (const Axis_verification::Fault fault : faults) {
       const bool is_found =
           std::any_of(v.findings.begin(), v.findings.end(), [fault](const auto& f) { return f.fault == fault; });
       EXPECT_TRUE(is_found) << "no " << name_of(fault);
     }
   }
-  ba::Medial_sample& middle(Medial_axis_2& axis) const { return axis.edges[longest_].samples[MIDDLE]; }
+  ba::Medial_axis_2::Sample& middle(Medial_axis_2& axis) const { return axis.edges[longest_].samples[MIDDLE]; }
   // Moves a vertex with the ends of its edges.
   static void move_vertex(Medial_axis_2& axis, std::size_t i, double by) {
     axis.vertices[i].center.x += by;
-    for (ba::Medial_edge& e : axis.edges) {
+    for (ba::Medial_axis_2::Edge& e : axis.edges) {
       if (e.from == i) e.samples.front().center.x += by;
       if (e.to == i) e.samples.back().center.x += by;
     }
@@ -152,7 +150,7 @@ class BrokenAxis : public testing::Test {
     axis.edges.erase(std::find_if(axis.edges.begin(), axis.edges.end(),
                                   [leaf](const auto& e) { return e.from == leaf || e.to == leaf; }));
     axis.vertices.erase(axis.vertices.begin() + static_cast<std::ptrdiff_t>(leaf));
-    for (ba::Medial_edge& e : axis.edges)
+    for (ba::Medial_axis_2::Edge& e : axis.edges)
       for (std::size_t* end : {&e.from, &e.to})
         if (*end > leaf) --*end;
   }
@@ -164,40 +162,43 @@ class BrokenAxis : public testing::Test {
 };
 
 TEST_F(BrokenAxis, IsSeenWhereAnEdgeIsLeftOut) {
-  expect_found({Axis_fault::TILING, Axis_fault::EULER}, [](auto& a) { a.edges.pop_back(); });
+  expect_found({Axis_verification::Fault::TILING, Axis_verification::Fault::EULER},
+               [](auto& a) { a.edges.pop_back(); });
 }
 TEST_F(BrokenAxis, IsSeenWhereAnEdgeIsLeftOutWithItsLeaf) {
-  expect_found({Axis_fault::TILING}, [&](auto& a) { erase_leaf(a, leaves_[0]); });
+  expect_found({Axis_verification::Fault::TILING}, [&](auto& a) { erase_leaf(a, leaves_[0]); });
 }
 TEST_F(BrokenAxis, IsSeenWhereAnEdgeIsThereTwice) {
-  expect_found({Axis_fault::TILING, Axis_fault::EULER}, [](auto& a) { a.edges.push_back(a.edges.front()); });
+  expect_found({Axis_verification::Fault::TILING, Axis_verification::Fault::EULER},
+               [](auto& a) { a.edges.push_back(a.edges.front()); });
 }
 TEST_F(BrokenAxis, IsSeenWhereAVertexIsMovedWithItsEdges) {
-  expect_found({Axis_fault::TOUCH}, [](auto& a) { move_vertex(a, 0, 1e-9); });
+  expect_found({Axis_verification::Fault::TOUCH}, [](auto& a) { move_vertex(a, 0, 1e-9); });
 }
 TEST_F(BrokenAxis, IsSeenWhereAVertexAloneIsMoved) {
-  expect_found({Axis_fault::END}, [](auto& a) { a.vertices[0].center.x += 1e-9; });
+  expect_found({Axis_verification::Fault::END}, [](auto& a) { a.vertices[0].center.x += 1e-9; });
 }
 TEST_F(BrokenAxis, IsSeenWhereASampleIsMoved) {
-  expect_found({Axis_fault::FOOT}, [&](auto& a) { middle(a).center.x += 2 * EPS; });
+  expect_found({Axis_verification::Fault::FOOT}, [&](auto& a) { middle(a).center.x += 2 * EPS; });
 }
 TEST_F(BrokenAxis, IsSeenWhereASampleIsTheNextOneWithOtherFeet) {
-  expect_found({Axis_fault::FOOT}, [&](auto& a) {
-    const ba::Medial_sample& next = a.edges[longest_].samples[MIDDLE + 1];
+  expect_found({Axis_verification::Fault::FOOT}, [&](auto& a) {
+    const ba::Medial_axis_2::Sample& next = a.edges[longest_].samples[MIDDLE + 1];
     middle(a).center = next.center, middle(a).radius = next.radius;
   });
 }
 TEST_F(BrokenAxis, IsSeenWhereARadiusIsLarger) {
-  expect_found({Axis_fault::FOOT}, [&](auto& a) { middle(a).radius += 2 * EPS; });
+  expect_found({Axis_verification::Fault::FOOT}, [&](auto& a) { middle(a).radius += 2 * EPS; });
 }
 TEST_F(BrokenAxis, IsSeenWhereAFootIsMoved) {
-  expect_found({Axis_fault::FOOT}, [&](auto& a) { middle(a).left.t += middle(a).left.t < 0.5 ? 0.01 : -0.01; });
+  expect_found({Axis_verification::Fault::FOOT},
+               [&](auto& a) { middle(a).left.t += middle(a).left.t < 0.5 ? 0.01 : -0.01; });
 }
 TEST_F(BrokenAxis, IsSeenWhereFeetAreOnTheWrongSides) {
-  expect_found({Axis_fault::TILING}, [&](auto& a) { std::swap(middle(a).left, middle(a).right); });
+  expect_found({Axis_verification::Fault::TILING}, [&](auto& a) { std::swap(middle(a).left, middle(a).right); });
 }
 TEST_F(BrokenAxis, IsSeenWhereSamplesRunTheOtherWay) {
-  expect_found({Axis_fault::END},
+  expect_found({Axis_verification::Fault::END},
                [&](auto& a) { std::reverse(a.edges[longest_].samples.begin(), a.edges[longest_].samples.end()); });
 }
 TEST_F(BrokenAxis, IsSeenWhereTwoSamplesAreSwapped) {
@@ -207,11 +208,11 @@ TEST_F(BrokenAxis, IsSeenWhereTwoDiscsOfTheSameFeetAreSwapped) {
   // two corners point at each other: the discs between touch them both
   drawing_ = drawing_of(closed_chain({{-2, -2}, {2, -2}, {0.5, 0}, {2, 2}, {-2, 2}, {-0.5, 0}}));
   axis_ = axis_of(drawing_, EPS);
-  expect_found({Axis_fault::CELL}, [](auto& a) {
+  expect_found({Axis_verification::Fault::CELL}, [](auto& a) {
     const auto are_same = [](const auto& p, const auto& q) { return p.bezier == q.bezier && p.t == q.t; };
-    for (ba::Medial_edge& e : a.edges)
+    for (ba::Medial_axis_2::Edge& e : a.edges)
       for (std::size_t i = 1; i + 2 < e.samples.size(); ++i) {
-        ba::Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
+        ba::Medial_axis_2::Sample &s = e.samples[i], &t = e.samples[i + 1];
         if (are_same(s.left, t.left) && are_same(s.right, t.right)) return std::swap(s, t);
       }
   });
@@ -223,24 +224,24 @@ TEST_F(BrokenAxis, IsSeenWhereSamplesAreLeftOut) {
   });
 }
 TEST_F(BrokenAxis, IsSeenWhereABoundIsTooSmall) {
-  Axis_check_options options;
+  Axis_verification::Options options;
   options.bounds.assign(axis_.edges.size(), 2 * EPS);
   options.bounds[longest_] = 1e-3 * EPS;
   expect_found(
-      {Axis_fault::BOUND}, [](auto&) {}, options);
+      {Axis_verification::Fault::BOUND}, [](auto&) {}, options);
 }
 TEST_F(BrokenAxis, IsSeenWhereTwoLeavesAreOne) {
-  expect_found({Axis_fault::END}, [&](auto& a) {
-    for (ba::Medial_edge& e : a.edges)
+  expect_found({Axis_verification::Fault::END}, [&](auto& a) {
+    for (ba::Medial_axis_2::Edge& e : a.edges)
       for (std::size_t* end : {&e.from, &e.to})
         if (*end == leaves_[1]) *end = leaves_[0];
   });
 }
 TEST_F(BrokenAxis, IsSeenWhereAnEdgeJoinsTwoLeaves) {
-  expect_found({Axis_fault::END, Axis_fault::EULER}, [&](auto& a) {
-    ba::Medial_edge edge{leaves_[0], leaves_[1], {}};
+  expect_found({Axis_verification::Fault::END, Axis_verification::Fault::EULER}, [&](auto& a) {
+    ba::Medial_axis_2::Edge edge{leaves_[0], leaves_[1], {}};
     for (const std::size_t i : {leaves_[0], leaves_[1]}) {
-      const ba::Medial_vertex& v = a.vertices[i];
+      const ba::Medial_axis_2::Vertex& v = a.vertices[i];
       edge.samples.push_back({v.center, v.radius, v.touches.front(), v.touches.back()});
     }
     edge.samples.back().left = edge.samples.front().left;
@@ -248,33 +249,35 @@ TEST_F(BrokenAxis, IsSeenWhereAnEdgeJoinsTwoLeaves) {
   });
 }
 TEST_F(BrokenAxis, IsSeenWhereATouchIsLeftOut) {
-  expect_found({Axis_fault::END}, [&](auto& a) { a.vertices[a.edges[longest_].from].touches.pop_back(); });
+  expect_found({Axis_verification::Fault::END},
+               [&](auto& a) { a.vertices[a.edges[longest_].from].touches.pop_back(); });
 }
 TEST_F(BrokenAxis, IsSeenWhereATouchIsElsewhere) {
-  expect_found({Axis_fault::TOUCH, Axis_fault::END}, [&](auto& a) {
+  expect_found({Axis_verification::Fault::TOUCH, Axis_verification::Fault::END}, [&](auto& a) {
     ba::Curve_place& p = a.vertices[a.edges[longest_].from].touches.front();
     p.t += p.t < 0.5 ? 0.1 : -0.1;
   });
 }
 TEST_F(BrokenAxis, IsSeenWhereRegionsOrHolesAreOthers) {
-  expect_found({Axis_fault::EULER}, [](auto& a) { ++a.regions; });
-  expect_found({Axis_fault::EULER}, [](auto& a) { ++a.holes; });
-  expect_found({Axis_fault::EULER}, [](auto& a) { ++a.regions, ++a.holes; });
+  expect_found({Axis_verification::Fault::EULER}, [](auto& a) { ++a.regions; });
+  expect_found({Axis_verification::Fault::EULER}, [](auto& a) { ++a.holes; });
+  expect_found({Axis_verification::Fault::EULER}, [](auto& a) { ++a.regions, ++a.holes; });
 }
 TEST_F(BrokenAxis, IsSeenWhereNumbersAreNone) {
-  expect_found({Axis_fault::FORM}, [&](auto& a) { middle(a).radius = std::numeric_limits<double>::quiet_NaN(); });
-  expect_found({Axis_fault::FORM}, [&](auto& a) { middle(a).left.curve = 2; });
-  expect_found({Axis_fault::FORM}, [&](auto& a) { a.edges[0].to = a.vertices.size(); });
-  expect_found({Axis_fault::FORM}, [&](auto& a) { a.vertices[0].touches.clear(); });
+  expect_found({Axis_verification::Fault::FORM},
+               [&](auto& a) { middle(a).radius = std::numeric_limits<double>::quiet_NaN(); });
+  expect_found({Axis_verification::Fault::FORM}, [&](auto& a) { middle(a).left.curve = 2; });
+  expect_found({Axis_verification::Fault::FORM}, [&](auto& a) { a.edges[0].to = a.vertices.size(); });
+  expect_found({Axis_verification::Fault::FORM}, [&](auto& a) { a.vertices[0].touches.clear(); });
 }
 TEST_F(BrokenAxis, IsSeenWhereItIsOfOneOfTwoCurves) {
-  expect_found({Axis_fault::TILING}, [](auto& a) { a = axis_of(bundled("d_rabbit"), EPS); });
+  expect_found({Axis_verification::Fault::TILING}, [](auto& a) { a = axis_of(bundled("d_rabbit"), EPS); });
 }
 TEST_F(BrokenAxis, IsSeenWhereAnEdgeBetweenTwoPointsIsLeftOut) {
   Drawing points;
   for (const double x : {0.0, 1.0}) points.add(Bezier({{x, 0}, {x, 0}}));
   const Drawing framed = ba::framed(points, 1);
-  Axis_check_options options;
+  Axis_verification::Options options;
   options.is_framed = true;
   Medial_axis_2 axis = framed_axis_of(framed, EPS);
   expect_right(framed, axis, options);
@@ -287,18 +290,18 @@ TEST_F(BrokenAxis, IsSeenWhereAnEdgeBetweenTwoPointsIsLeftOut) {
   --axis.holes;
   const Axis_verification v = ba::verify_axis(framed, axis, options);
   ASSERT_FALSE(v.is_right());
-  for (const auto& f : v.findings) EXPECT_EQ(f.fault, Axis_fault::TILING);
+  for (const auto& f : v.findings) EXPECT_EQ(f.fault, Axis_verification::Fault::TILING);
 }
 TEST_F(BrokenAxis, IsSeenWhereItIsOfTheOutsideOfAHole) {
   const std::vector<Bezier> square = closed_chain({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
                             hole = closed_chain({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
   const Axis_verification v = ba::verify_axis(both(square, hole), axis_of(drawing_of(square), EPS));
   EXPECT_FALSE(v.is_right());
-  const auto has = [&](Axis_fault fault) {
+  const auto has = [&](Axis_verification::Fault fault) {
     return std::any_of(v.findings.begin(), v.findings.end(), [fault](const auto& f) { return f.fault == fault; });
   };
-  EXPECT_TRUE(has(Axis_fault::TILING));
-  EXPECT_TRUE(has(Axis_fault::DISC));
+  EXPECT_TRUE(has(Axis_verification::Fault::TILING));
+  EXPECT_TRUE(has(Axis_verification::Fault::DISC));
 }
 
 }  // namespace

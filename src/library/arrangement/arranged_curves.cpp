@@ -9,7 +9,7 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include "../polynomial/Interval_isolation.h"
 #include "../query/Intersection_search.h"
@@ -129,16 +129,18 @@ void add_place(const Arranged_point& p, const Arranged_curve& c, const Bracket& 
   const Numbered_intersections found = Intersection_search(hierarchy.in_unit()).by_pieces();
   Piece_intersections result;
   for (const Numbered_point& p : found.points)
-    result.points.push_back(
-        p.common.a.lower < p.common.b.lower ? p.common : Piece_intersection{p.common.b, p.common.a, p.common.kind});
+    result.points.push_back(p.common.a.lower < p.common.b.lower
+                                ? p.common
+                                : Piece_intersections::Intersection{p.common.b, p.common.a, p.common.kind});
   for (const Numbered_overlap& o : found.overlaps) result.overlaps.push_back(o.common);
   return result;
 }
 
 /// Whether brackets tell exact parameters, of which each is in one of them: of a point both parameters.
-[[nodiscard]] bool are_told_by_brackets(const std::vector<Piece_intersection>& points, bool is_one_curve) {
+[[nodiscard]] bool are_told_by_brackets(const std::vector<Piece_intersections::Intersection>& points,
+                                        bool is_one_curve) {
   std::vector<Bracket> of_a, of_b;
-  for (const Piece_intersection& p : points) {
+  for (const Piece_intersections::Intersection& p : points) {
     of_a.push_back(p.a);
     (is_one_curve ? of_a : of_b).push_back(p.b);
   }
@@ -201,12 +203,12 @@ void add_exact_meetings(Arranged_meetings& to) {
     add_exact_meetings(result);
     return result;
   }
-  for (const Piece_intersection& p : found->points)
+  for (const Piece_intersections::Intersection& p : found->points)
     result.points.push_back({common_point(result.pair, p.a, p.b), p.kind == Intersection_kind::TRANSVERSAL});
   const auto is_to_right = [](const Arranged_curve& line) {
     return compare_xy(Arr_point_2(line.start()), Arr_point_2(line.end())) == SMALLER;
   };
-  for (const Piece_overlap& o : found->overlaps)
+  for (const Piece_intersections::Overlap& o : found->overlaps)
     result.overlaps.push_back({common_point(result.pair, o.a_from, o.b_from),
                                common_point(result.pair, o.a_to, o.b_to),
                                {0, 0, true},
@@ -322,7 +324,7 @@ const std::vector<Bracket>& Arranged_curve::turns() const {
 std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve) {
   const Arranged_curve_handle& c = curve.data();
   if (c->is_vertical() && c->y().is_single()) return {};
-  std::vector<Arr_curve_end> ends{{Arr_point_2(c->start()), {0, 0}}};
+  std::vector<Arr_x_monotone_curve_2::End> ends{{Arr_point_2(c->start()), {0, 0}}};
   for (const Bracket& range : c->turns()) {
     auto turn = std::make_shared<Arranged_point>();
     turn->turn = ends.size() - 1;
@@ -334,7 +336,8 @@ std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve) {
     ends.push_back({Arr_point_2(std::move(turn)), range});
   }
   ends.push_back({Arr_point_2(c->end()), {1, 1}});
-  for (const Arr_curve_end* end : {&ends.front(), &ends.back()}) add_place(*end->point.data(), *c, end->t);
+  for (const Arr_x_monotone_curve_2::End* end : {&ends.front(), &ends.back()})
+    add_place(*end->point.data(), *c, end->t);
   std::vector<Arr_x_monotone_curve_2> result;
   bool is_rising = compare_xy(ends[0].point, ends[1].point) == SMALLER;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i, is_rising = !is_rising)

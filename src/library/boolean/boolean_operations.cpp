@@ -75,8 +75,8 @@ class Chain_writer {
   Chain_writer(const Overlay& overlay, const United_curves& united)
       : overlay_(overlay), cut_(overlay.cut()), unit_(united.unit), beziers_(united.beziers) {}
 
-  [[nodiscard]] Outline_chain chain(const Region_loop& loop) const {
-    Outline_chain chain;
+  [[nodiscard]] Outline_2::Chain chain(const Region_loop& loop) const {
+    Outline_2::Chain chain;
     chain.is_ccw = loop.is_ccw;
     chain.parent = loop.parent;
     for (const Edge_side s : loop.sides) add(s, chain.parts);
@@ -84,7 +84,7 @@ class Chain_writer {
   }
 
  private:
-  void add(Edge_side s, std::vector<Outline_part>& parts) const {
+  void add(Edge_side s, std::vector<Outline_2::Part>& parts) const {
     std::vector<Bezier_span> spans = cut_.spans_of(edge_of(s));
     if (is_reversed(s)) std::reverse(spans.begin(), spans.end());
     for (const Bezier_span& span : spans) {
@@ -117,7 +117,7 @@ template <class IsInside>
   const Overlay overlay(*united.segments);
   Outline_2 result;
   if (overlay.open()) {
-    result.status = Outline_status::UNDECIDED;
+    result.status = Outline_2::Status::UNDECIDED;
     result.undecided = undecided_meeting(*overlay.open(), united);
     return result;
   }

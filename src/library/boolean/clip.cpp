@@ -36,7 +36,7 @@ class Clipper {
     for (std::uint32_t c = 0; c < drawn.size() && !undecided_; ++c)
       for (std::uint32_t b = 0; b < drawn[c].beziers.size() && !undecided_; ++b)
         add_parts(c, b, curves_.number_of_bezier(c, b), result);
-    if (undecided_) return {{}, Outline_status::UNDECIDED, undecided_};
+    if (undecided_) return {{}, Clipped_2::Status::UNDECIDED, undecided_};
     return result;
   }
 
@@ -54,7 +54,7 @@ class Clipper {
   void leave_open(Place_number p) {
     const auto of = [](const Segment_hierarchy& h, std::uint32_t operand, std::uint32_t bezier) {
       const auto curve = static_cast<std::uint32_t>(h.curve_of_bezier(bezier));
-      return Undecided_meeting::Of{operand, curve, bezier - h.number_of_bezier(curve, 0)};
+      return Overlay_2::Undecided::Of{operand, curve, bezier - h.number_of_bezier(curve, 0)};
     };
     const std::uint32_t own = places_.bezier_of(p), other = places_.bezier_of(p ^ 1U);
     undecided_ = {point(own, places_.bracket(p)), of(curves_, 0, own), of(region_, 1, other)};
@@ -94,7 +94,7 @@ class Clipper {
     }
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const Cut &from = cuts[i], &to = cuts[i + 1];
-      Clipped_part part{curve, number, from.t, to.t, point(bezier, from.t), point(bezier, to.t), ON_BOUNDARY};
+      Clipped_2::Part part{curve, number, from.t, to.t, point(bezier, from.t), point(bezier, to.t), ON_BOUNDARY};
       if (is_along[i] == 0) {
         const std::optional<Bounded_side> side = side_between(bezier, from, to);
         if (!side) {
@@ -139,7 +139,7 @@ class Clipper {
   Meeting_places places_;
   std::vector<std::vector<Place_number>> places_of_;   // by Bezier piece
   std::vector<std::vector<std::size_t>> overlaps_of_;  // by Bezier piece
-  std::optional<Undecided_meeting> undecided_;
+  std::optional<Overlay_2::Undecided> undecided_;
 };
 
 }  // namespace

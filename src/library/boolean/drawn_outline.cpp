@@ -74,7 +74,7 @@ constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
 
 /// How far the curve of a part is from the part itself, point by point. At either end all of the part between the true
 /// end and the cut is compared with the end that is given; all else moves no more than the cut's end and by rounding.
-[[nodiscard]] double error_of_part(const Bezier_curve_2<double>& piece, const Outline_part& part) {
+[[nodiscard]] double error_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part) {
   const bool back = part.is_reversed;
   const Bracket &low = back ? part.to : part.from, &high = back ? part.from : part.to;
   const Xy<double>&start = back ? part.end : part.start, &end = back ? part.start : part.end;
@@ -89,7 +89,7 @@ constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
   return (of_ends + (low.middle() == 0 && high.middle() == 1 ? 0 : 2 * cutting_error(piece))) * UP;
 }
 
-[[nodiscard]] Bezier_curve_2<double> curve_of(const Outline_part& part, const Drawing_2<double>& drawing) {
+[[nodiscard]] Bezier_curve_2<double> curve_of(const Outline_2::Part& part, const Drawing_2<double>& drawing) {
   return curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, part.is_reversed,
                        part.start, part.end);
 }
@@ -128,16 +128,16 @@ void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& dra
 
 namespace CGAL::Bounding_arcs {
 
-Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_part& part) {
+Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_2::Part& part) {
   return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, false,
                                  part.start, part.end);
 }
 
 Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline) {
   Drawing_2<double> result;
-  for (const Outline_chain& given : outline.chains) {
+  for (const Outline_2::Chain& given : outline.chains) {
     std::vector<Bezier_curve_2<double>> chain;
-    for (const Outline_part& part : given.parts)
+    for (const Outline_2::Part& part : given.parts)
       chain.push_back(internal::curve_of(part, trees.at(part.operand)->drawing()));
     internal::add_chain(std::move(chain), result);
   }
@@ -145,7 +145,7 @@ Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>&
 }
 
 Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline,
-                            const Outline_drawing_options& options) {
+                            const Drawn_outline::Options& options) {
   using internal::UP;
   Drawn_outline result;
   result.outline.status = outline.status;
@@ -154,11 +154,11 @@ Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees
   for (const Bounding_arc_tree_2* tree : trees) roundings.push_back(tree->rounding());
   std::vector<std::optional<std::size_t>> numbers;  // of the chains given among those drawn
   std::vector<std::optional<std::size_t>> parents;  // of the chains drawn among those given
-  for (const Outline_chain& given : outline.chains) {
-    Outline_chain chain{{}, given.is_ccw, std::nullopt};
+  for (const Outline_2::Chain& given : outline.chains) {
+    Outline_2::Chain chain{{}, given.is_ccw, std::nullopt};
     std::vector<Bezier_curve_2<double>> curves;
     double largest_error = 0;  // of them
-    for (const Outline_part& part : given.parts) {
+    for (const Outline_2::Part& part : given.parts) {
       const Drawing_2<double>& of = trees.at(part.operand)->drawing();
       Bezier_curve_2<double> curve = internal::curve_of(part, of);
       const double error =

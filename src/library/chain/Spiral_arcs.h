@@ -111,7 +111,7 @@ class Spiral_arcs {
  public:
   /// \param eps the largest error aimed at: pieces no longer than that need no arc of their own
   /// \param start the point of the segment's start, if known
-  Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
+  Spiral_arcs(const Bezier_spiral_2<double>& spiral, Arc_chain::Continuity continuity, Arc_chain::Side side, double eps,
               const std::optional<Xy<double>>& start = std::nullopt)
       : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.table<double>().unit()),
         inverse_unit_(1 / unit_),
@@ -134,7 +134,7 @@ class Spiral_arcs {
   [[nodiscard]] double reachable() const { return eps_; }
 
   /// Fits every piece, appends its arcs and sets its error, the larger of those of its arcs.
-  void fit(const std::vector<double>& breaks, std::vector<double>& errors, std::vector<Chain_arc_2>& arcs) const {
+  void fit(const std::vector<double>& breaks, std::vector<double>& errors, std::vector<Arc_chain::Arc>& arcs) const {
     End e0 = end_at(breaks.front());
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       const End e1 = end_at(breaks[i + 1]);
@@ -144,7 +144,7 @@ class Spiral_arcs {
   }
 
   /// Fits the piece between two ends, appends its arcs and returns their larger error.
-  double fit(const Curve_end& e0, const Curve_end& e1, std::vector<Chain_arc_2>& arcs) const {
+  double fit(const Curve_end& e0, const Curve_end& e1, std::vector<Arc_chain::Arc>& arcs) const {
     const Piece p = spiral_.is_straight() ? segment(e0, e1, slack_) : fit_piece(e0, e1);
     for (int i = 0; i < p.count; ++i) arcs.push_back(p.arc[static_cast<std::size_t>(i)]);
     return (std::max)(p.arc[0].error, p.arc[1].error);
@@ -152,8 +152,8 @@ class Spiral_arcs {
 
   /// Balances the errors of a biarc between two ends whose joint is on the curve, appends its arcs and returns the
   /// larger.
-  double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Chain_arc_2& arc0, const Chain_arc_2& arc1,
-                      std::vector<Chain_arc_2>& arcs) const {
+  double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Arc_chain::Arc& arc0, const Arc_chain::Arc& arc1,
+                      std::vector<Arc_chain::Arc>& arcs) const {
     const Piece p = balanced({2, {arc0, arc1}}, e0, e1);
     arcs.insert(arcs.end(), p.arc.begin(), p.arc.end());
     return (std::max)(p.arc[0].error, p.arc[1].error);
@@ -165,7 +165,7 @@ class Spiral_arcs {
   using End = Curve_end;
   struct Piece {
     int count = 1;
-    std::array<Chain_arc_2, 2> arc;
+    std::array<Arc_chain::Arc, 2> arc;
   };
 
   [[nodiscard]] double parameter(double s) const {
@@ -180,12 +180,12 @@ class Spiral_arcs {
     return {s, in_plane(curve_(s)), curve_.derivative(s)};
   }
 
-  [[nodiscard]] Chain_arc_2 arc(const End& e0, const End& e1, double bulge) const {
+  [[nodiscard]] Arc_chain::Arc arc(const End& e0, const End& e1, double bulge) const {
     return {{e0.point, e1.point, bulge}, parameter(e0.s), parameter(e1.s), 0, 0};
   }
 
   // Sets the error of an arc over the piece q, seen from the arc's start.
-  void measure(Chain_arc_2& a, const End& e0, const End& e1, const internal::Local_polynomial& q) const {
+  void measure(Arc_chain::Arc& a, const End& e0, const End& e1, const internal::Local_polynomial& q) const {
     a.error = slack_ + unit_ * internal::arc_deviation(q, {in_units(a.to - a.from), a.bulge}, e0.tangent, e1.tangent);
   }
 
@@ -201,13 +201,13 @@ class Spiral_arcs {
     const Xy<double> chord = in_units(e1.point - e0.point);
     const double bulge0 = internal::half_angle_tangent(e0.tangent, chord),
                  bulge1 = internal::half_angle_tangent(chord, e1.tangent);
-    if (continuity_ == Continuity::TANGENT && !is_one_arc(chord, bulge0, bulge1))
-      return side_ == Chain_side::BOTH ? biarc(e0, e1, q, chord) : bilens_side(e0, e1);
+    if (continuity_ == Arc_chain::Continuity::TANGENT && !is_one_arc(chord, bulge0, bulge1))
+      return side_ == Arc_chain::Side::BOTH ? biarc(e0, e1, q, chord) : bilens_side(e0, e1);
     Piece p;
-    const double bulge = continuity_ == Continuity::TANGENT ? (bulge0 + bulge1) / 2
-                         : side_ == Chain_side::BOTH        ? internal::balanced_bulge(q, chord)
-                         : side_ == Chain_side::LEFT        ? (std::min)(bulge0, bulge1)
-                                                            : (std::max)(bulge0, bulge1);
+    const double bulge = continuity_ == Arc_chain::Continuity::TANGENT ? (bulge0 + bulge1) / 2
+                         : side_ == Arc_chain::Side::BOTH              ? internal::balanced_bulge(q, chord)
+                         : side_ == Arc_chain::Side::LEFT              ? (std::min)(bulge0, bulge1)
+                                                                       : (std::max)(bulge0, bulge1);
     p.arc[0] = arc(e0, e1, bulge);
     measure(p.arc[0], e0, e1, q);
     return checked(p, e0, e1);
@@ -292,7 +292,7 @@ class Spiral_arcs {
   [[nodiscard]] Piece bilens_side(const End& e0, const End& e1) const {
     const auto shape = spiral_.shape<double>(parameter(e0.s), parameter(e1.s), {true, false});
     const auto boundary = Bilens::boundary(Chord_frame_2<double>{e0.point, e1.point, shape});
-    const bool is_inner = (shape.turn > 0) == (side_ == Chain_side::LEFT);
+    const bool is_inner = (shape.turn > 0) == (side_ == Arc_chain::Side::LEFT);
     const auto& chain = is_inner ? boundary.inner : boundary.outer;
     if (chain.size() < 2) return without_arc(e0, e1);
     const Xy<double> joint = chain[0].to;
@@ -318,8 +318,8 @@ class Spiral_arcs {
   }
 
   const Bezier_spiral_2<double>& spiral_;
-  Continuity continuity_;
-  Chain_side side_;
+  Arc_chain::Continuity continuity_;
+  Arc_chain::Side side_;
   double eps_;
   double unit_, inverse_unit_;  // a power of two
   internal::Local_polynomial curve_;

@@ -9,7 +9,7 @@
 #include "Spiral_arcs.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
@@ -32,15 +32,15 @@ namespace CGAL::Bounding_arcs::internal {
 /// Fits arcs as Spiral_arcs does, but in columns, pieces of several segments at once.
 class Cubic_spiral_arcs {
  public:
-  [[nodiscard]] static bool is_for(const Bezier_spiral_2<double>& spiral, Chain_side side) {
+  [[nodiscard]] static bool is_for(const Bezier_spiral_2<double>& spiral, Arc_chain::Side side) {
     const int degree = spiral.curve().degree();
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
-    return side == Chain_side::BOTH && (degree == 2 || degree == 3) && !spiral.curve().is_rational() &&
+    return side == Arc_chain::Side::BOTH && (degree == 2 || degree == 3) && !spiral.curve().is_rational() &&
            !spiral.is_straight() && orders.start == 1 && orders.end == 1;
   }
 
-  /// Fits arcs as Spiral_arcs does. \pre is_for(spiral, Chain_side::BOTH)
-  Cubic_spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, double eps,
+  /// Fits arcs as Spiral_arcs does. \pre is_for(spiral, Arc_chain::Side::BOTH)
+  Cubic_spiral_arcs(const Bezier_spiral_2<double>& spiral, Arc_chain::Continuity continuity, double eps,
                     const std::optional<Xy<double>>& start)
       : spiral_(spiral), continuity_(continuity), eps_asked_(eps), unit_(spiral.table<double>().unit()),
         inverse_unit_(1 / unit_), curve_(cubic(spiral)), start_(start ? *start : spiral.point(spiral.first())),
@@ -86,19 +86,19 @@ class Cubic_spiral_arcs {
 
   /// Appends the arcs that columns hold of pieces from `first` on, and sets the error of each piece.
   void take(const Arc_columns& c, std::size_t first, std::size_t count, double* errors,
-            std::vector<Chain_arc_2>& arcs) const {
+            std::vector<Arc_chain::Arc>& arcs) const {
     for (std::size_t j = first; j < first + count; ++j) {
       const double t0 = parameter(c.s0[j]), t1 = parameter(c.s1[j]);
       const Xy<double> from{c.from_x[j], c.from_y[j]}, to{c.to_x[j], c.to_y[j]};
       const double error0 = slack_ + unit_ * c.distance0[j];
       double& error = errors[j - first];
-      if (continuity_ == Continuity::POSITION) {
+      if (continuity_ == Arc_chain::Continuity::POSITION) {
         error = error0;
         if (std::isfinite(error)) arcs.push_back({{from, to, c.bulge0[j]}, t0, t1, error, 0});
       } else {
         const double error1 = slack_ + unit_ * c.distance1[j], t = parameter(c.joint[j]);
         const Xy<double> joint{c.joint_x[j], c.joint_y[j]};
-        const Chain_arc_2 arc0{{from, joint, c.bulge0[j]}, t0, t, error0, 0},
+        const Arc_chain::Arc arc0{{from, joint, c.bulge0[j]}, t0, t, error0, 0},
             arc1{{joint, to, c.bulge1[j]}, t, t1, error1, 0};
         error = (std::max)(error0, error1);
         if (is_worth_balancing(error0, error1, eps_)) {
@@ -128,7 +128,7 @@ class Cubic_spiral_arcs {
   double share_pieces(std::size_t places, Measured_breaks& result) const {
     constexpr double LEAST = 1e-3;  // keeps the shares positive
     const double step = 1 / static_cast<double>(places);
-    const double of_cubic = continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC;
+    const double of_cubic = continuity_ == Arc_chain::Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC;
     const double factor = step * rough_cube_root(of_cubic * unit_ / eps_);
     result.breaks.resize(places + 1);
     result.roots.resize(places);
@@ -146,7 +146,9 @@ class Cubic_spiral_arcs {
   }
 
   // What few pieces need, so that it may begin from the spiral again.
-  [[nodiscard]] Spiral_arcs in_general() const { return {spiral_, continuity_, Chain_side::BOTH, eps_asked_, start_}; }
+  [[nodiscard]] Spiral_arcs in_general() const {
+    return {spiral_, continuity_, Arc_chain::Side::BOTH, eps_asked_, start_};
+  }
 
   [[nodiscard]] double parameter(double s) const {
     return s == 1 ? spiral_.last() : spiral_.first() + s * (spiral_.last() - spiral_.first());
@@ -157,7 +159,7 @@ class Cubic_spiral_arcs {
   }
 
   const Bezier_spiral_2<double>& spiral_;
-  Continuity continuity_;
+  Arc_chain::Continuity continuity_;
   double eps_asked_;
   double unit_, inverse_unit_;  // a power of two
   Cubic curve_;
@@ -179,9 +181,10 @@ std::ostream& operator<<(std::ostream& out, const Arc_chain& chain) {
 class Chain_builder {
  public:
   /// \param spirals how many there will be
-  Chain_builder(double eps, const Arc_chain_options& options, std::size_t spirals)
+  Chain_builder(double eps, const Arc_chain::Options& options, std::size_t spirals)
       : eps_(eps), options_(options), expected_(spirals),
-        fit_columns_(internal::arc_function(options.continuity == Continuity::TANGENT, options.instruction_set)) {
+        fit_columns_(
+            internal::arc_function(options.continuity == Arc_chain::Continuity::TANGENT, options.instruction_set)) {
     constexpr std::size_t ARCS =
         8;  // a segment has more than that only where eps is small; pages never touched cost nothing
     chain_.arcs.reserve(ARCS * spirals);
@@ -292,7 +295,7 @@ class Chain_builder {
   }
 
   double eps_;
-  Arc_chain_options options_;
+  Arc_chain::Options options_;
   std::size_t expected_;  // spiral segments
   internal::Arc_function fit_columns_;
   Arc_chain chain_;
@@ -305,11 +308,12 @@ class Chain_builder {
   internal::Arc_columns columns_{}, own_columns_{};
 };
 
-Arc_chain arc_chain(const Bounding_arc_tree_2& tree, double eps, const Arc_chain_options& options) {
+Arc_chain arc_chain(const Bounding_arc_tree_2& tree, double eps, const Arc_chain::Options& options) {
   return arc_chain(spiral_segments(tree), eps, options);
 }
 
-Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps, const Arc_chain_options& options) {
+Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
+                    const Arc_chain::Options& options) {
   check_above_zero("eps", eps);
   Chain_builder builder(eps, options, spirals.size());
   for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);

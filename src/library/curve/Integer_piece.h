@@ -44,7 +44,7 @@ struct Integer_piece {
   Univariate x, y, w;
 
   explicit Integer_piece(const Bezier_curve_2<Exact_rational>& curve) {
-    const std::vector<Exact_rational> factors = binomials<Exact_rational>(curve.degree());
+    const std::vector<Exact_rational> factors = internal::binomials<Exact_rational>(curve.degree());
     std::vector<Exact_rational> numbers;  // scaled Bernstein coefficients of x, y and w
     const auto add = [&](const auto& number_at) {
       for (std::size_t i = 0; i < factors.size(); ++i)
@@ -55,7 +55,7 @@ struct Integer_piece {
     add([&](std::size_t i) { return p[i].x; });
     add([&](std::size_t i) { return p[i].y; });
     add([](std::size_t) { return Exact_rational(1); });
-    const std::vector<Integer> integers = Proportional_integers<Exact_rational>::make(numbers);
+    const std::vector<Integer> integers = internal::Proportional_integers<Exact_rational>::make(numbers);
     const auto count = static_cast<std::ptrdiff_t>(p.size());
     const auto part = [&](std::ptrdiff_t i) {
       return to_powers({integers.begin() + i * count, integers.begin() + (i + 1) * count});

@@ -31,7 +31,7 @@ struct Exact_moments {
 /// Over [0, 1]: the mean of the coefficients.
 [[nodiscard]] inline Exact_rational integral(const Exact_polynomial& p) {
   const auto& c = p.scaled_coefficients();
-  const auto factors = binomials<Exact_rational>(p.degree());
+  const auto factors = internal::binomials<Exact_rational>(p.degree());
   Exact_rational sum(0);
   for (std::size_t i = 0; i < c.size(); ++i) sum += Exact_rational(c[i] / factors[i]);
   return Exact_rational(sum / Exact_rational(p.degree() + 1));

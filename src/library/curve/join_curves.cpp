@@ -37,7 +37,7 @@ bool is_within(const std::vector<Piece>& pieces, const Point& start, double r) {
   });
 }
 
-std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
+std::size_t end_behind(const Joined_curves::Part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
 
 std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
   if (!is_reversed) return curve.beziers;
@@ -47,9 +47,9 @@ std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
 }
 
 // Whether nothing of a loop is left to be a curve: it is within its moves, or two curves one upon the other.
-bool is_empty_loop(const std::vector<Curve>& curves, const std::vector<Joined_part>& loop, double moved) {
+bool is_empty_loop(const std::vector<Curve>& curves, const std::vector<Joined_curves::Part>& loop, double moved) {
   std::vector<Piece> pieces;
-  for (const Joined_part& part : loop) {
+  for (const Joined_curves::Part& part : loop) {
     const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
     pieces.insert(pieces.end(), more.begin(), more.end());
   }
@@ -134,7 +134,7 @@ class Joints {
     const Free_ends ends = free_ends(reach);
     for (std::size_t first = 0, next = 1; first < curves_.size(); first = next++) {
       for (const bool is_reversed : {false, true}) {
-        std::vector<Joined_part> run{{first, is_reversed}};
+        std::vector<Joined_curves::Part> run{{first, is_reversed}};
         const bool is_loop = goes_round(run, reach);
         next = (std::max)(next, first + run.size());
         if (!is_loop) continue;
@@ -209,7 +209,7 @@ class Joints {
   }
   // Adds the curves behind the first one of a run, as long as each begins where the one before it ends, up to one that
   // ends where the run begins. Whether there is such a one.
-  bool goes_round(std::vector<Joined_part>& run, const Reach& reach) const {
+  bool goes_round(std::vector<Joined_curves::Part>& run, const Reach& reach) const {
     const std::size_t begin = other_end(end_behind(run.front()));
     if (curves_[begin / 2].is_closed || meet(begin, other_end(begin), reach)) return false;
     for (std::size_t next = begin / 2 + 1; next < curves_.size(); ++next) {
@@ -312,12 +312,12 @@ class Joints {
 
 // The parts of a chain or loop through a curve, which is not reversed and is the first one of a loop.
 struct Parts {
-  std::vector<Joined_part> list;
+  std::vector<Joined_curves::Part> list;
   bool is_loop = false;
 };
 Parts parts_through(const Joints& joints, std::size_t curve) {
   Parts parts;
-  std::vector<Joined_part> before;
+  std::vector<Joined_curves::Part> before;
   std::size_t end = 2 * curve + 1;
   parts.list.push_back({curve, false});
   for (; joints.partner(end) != NONE; end = other_end(joints.partner(end))) {
@@ -336,7 +336,7 @@ Parts parts_through(const Joints& joints, std::size_t curve) {
 
 double widest_gap(const Joints& joints, const Parts& parts) {
   double widest = 0;
-  for (const Joined_part& part : parts.list)
+  for (const Joined_curves::Part& part : parts.list)
     if (joints.partner(end_behind(part)) != NONE) widest = (std::max)(widest, joints.gap(end_behind(part)));
   return widest;
 }
@@ -365,7 +365,7 @@ bool is_point(const Piece& piece) {
 std::vector<Piece> joined_pieces(const std::vector<Curve>& curves, const Parts& parts) {
   std::vector<Piece> pieces;
   std::vector<std::size_t> first;  // of each part, its number among the pieces
-  for (const Joined_part& part : parts.list) {
+  for (const Joined_curves::Part& part : parts.list) {
     first.push_back(pieces.size());
     const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
     pieces.insert(pieces.end(), more.begin(), more.end());
@@ -429,7 +429,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     Parts parts = parts_through(joints, i);
     const double widest = widest_gap(joints, parts);
     if (parts.is_loop && is_empty_loop(curves, parts.list, widest)) {
-      for (const Joined_part& part : parts.list)
+      for (const Joined_curves::Part& part : parts.list)
         if (joints.gap(end_behind(part)) == widest) joints.part(end_behind(part));
       parts = parts_through(joints, i);
     }
@@ -438,7 +438,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     if (count == 0) add_as_it_is(result.drawing, curves[i]);
     else result.drawing.add(joined_pieces(curves, parts), curves[i].name);
     if (count > 0) result.joined.push_back(result.parts.size());
-    for (const Joined_part& part : parts.list) is_done[part.curve] = true;
+    for (const Joined_curves::Part& part : parts.list) is_done[part.curve] = true;
     result.joints += count;
     result.moved = (std::max)(result.moved, moved);
     result.parts.push_back(std::move(parts.list));

@@ -65,14 +65,15 @@ class Axis_graph {
   }
 
   /// An edge between two nodes, for add. Several threads may ask at once.
-  [[nodiscard]] Medial_edge edge(std::size_t from, std::size_t to, const std::vector<Axis_sample>& samples) const {
-    Medial_edge edge{from, to, {}};
+  [[nodiscard]] Medial_axis_2::Edge edge(std::size_t from, std::size_t to,
+                                         const std::vector<Axis_sample>& samples) const {
+    Medial_axis_2::Edge edge{from, to, {}};
     edge.samples.reserve(samples.size());
     for (const Axis_sample& s : samples)
       edge.samples.push_back({s.center, s.radius, boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
     return edge;
   }
-  void add(Medial_edge edge) {
+  void add(Medial_axis_2::Edge edge) {
     // a way of no length between discs of more than three feet; from a point where curves meet one may lead back to it
     if (edge.from != edge.to && is_short(edge) && are_one(parts_.nodes[edge.from], parts_.nodes[edge.to]))
       joined_[root(edge.from)] = root(edge.to);
@@ -88,11 +89,11 @@ class Axis_graph {
       add_touches(parts_.nodes[i], axis.vertices[root(i)]);
       if (parts_.nodes[i].kind != Axis_node_kind::CUT) is_cut[root(i)] = false;
     }
-    for (Medial_edge& e : edges_) {
+    for (Medial_axis_2::Edge& e : edges_) {
       e.from = root(e.from), e.to = root(e.to);
       for (const bool is_last : {false, true}) {  // one point, whichever disc of a group the vertex took
-        const Medial_vertex& v = axis.vertices[is_last ? e.to : e.from];
-        Medial_sample& s = is_last ? e.samples.back() : e.samples.front();
+        const Medial_axis_2::Vertex& v = axis.vertices[is_last ? e.to : e.from];
+        Medial_axis_2::Sample& s = is_last ? e.samples.back() : e.samples.front();
         s.center = v.center, s.radius = v.radius;
       }
     }
@@ -114,10 +115,10 @@ class Axis_graph {
     constexpr double CLOSE = 0x1p-20;  // of the size
     return euclidean_norm(p - q) <= CLOSE * boundary_.size();
   }
-  [[nodiscard]] bool is_short(const Medial_edge& edge) const {
+  [[nodiscard]] bool is_short(const Medial_axis_2::Edge& edge) const {
     const Xy<double>& from = parts_.nodes[edge.from].center;
     return std::all_of(edge.samples.begin(), edge.samples.end(),
-                       [&](const Medial_sample& s) { return is_close(s.center, from); });
+                       [&](const Medial_axis_2::Sample& s) { return is_close(s.center, from); });
   }
   // Each of two discs touches what the other one does, within what centers of discs with close feet may be off by.
   [[nodiscard]] bool are_one(const Axis_node& a, const Axis_node& b) const {
@@ -132,7 +133,7 @@ class Axis_graph {
     return touches(a, b) && touches(b, a);
   }
 
-  void add_touches(const Axis_node& node, Medial_vertex& vertex) const {
+  void add_touches(const Axis_node& node, Medial_axis_2::Vertex& vertex) const {
     const auto point = [&](const Curve_place& p) { return point_at(boundary_.curves(), p); };
     for (const Boundary_place& touch : node.touches) {
       const Curve_place place = boundary_.curve_place(touch);
@@ -146,7 +147,7 @@ class Axis_graph {
   const Axis_parts& parts_;
   const Axis_boundary& boundary_;
   std::vector<std::size_t> joined_;
-  std::vector<Medial_edge> edges_;
+  std::vector<Medial_axis_2::Edge> edges_;
 };
 
 class Axis_builder {
@@ -165,7 +166,7 @@ class Axis_builder {
     Axis_graph graph(parts_);
     add_paths(graph);
     std::move(graph).write(axis);
-    if (!unresolved_.empty()) axis.status = Medial_axis_status::UNRESOLVED;
+    if (!unresolved_.empty()) axis.status = Medial_axis_2::Status::UNRESOLVED;
     axis.unresolved = std::move(unresolved_);
     return axis;
   }
@@ -201,7 +202,7 @@ class Axis_builder {
   }
   // The edges of all parts with two discs, which do not depend on each other.
   void add_paths(Axis_graph& graph) {
-    std::vector<Medial_edge> edges(parts_.parts.size());
+    std::vector<Medial_axis_2::Edge> edges(parts_.parts.size());
     std::vector<char> has_failed(edges.size(), 0);
     for_each_by_place(
         loop_, RANGE_SIZE, edges.size(), [&](std::size_t i) { return place_of(static_cast<std::uint32_t>(i)); },

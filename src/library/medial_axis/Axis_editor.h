@@ -18,19 +18,19 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-inline void reverse(std::vector<Medial_sample>& samples) {
+inline void reverse(std::vector<Medial_axis_2::Sample>& samples) {
   std::reverse(samples.begin(), samples.end());
-  for (Medial_sample& s : samples) std::swap(s.left, s.right);
+  for (Medial_axis_2::Sample& s : samples) std::swap(s.left, s.right);
 }
 /// The length of the lines between samples.
-[[nodiscard]] inline double length_of(const std::vector<Medial_sample>& samples) {
+[[nodiscard]] inline double length_of(const std::vector<Medial_axis_2::Sample>& samples) {
   double length = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) length += euclidean_norm(samples[i].center - samples[i - 1].center);
   return length;
 }
 /// A vertex as a sample, with the first and the last one of the places that it touches.
-[[nodiscard]] inline Medial_sample disc_of(const Medial_vertex& v) {
-  Medial_sample disc{v.center, v.radius, {}, {}};
+[[nodiscard]] inline Medial_axis_2::Sample disc_of(const Medial_axis_2::Vertex& v) {
+  Medial_axis_2::Sample disc{v.center, v.radius, {}, {}};
   if (!v.touches.empty()) disc.left = v.touches.front(), disc.right = v.touches.back();
   return disc;
 }
@@ -67,7 +67,7 @@ class Axis_editor {
     if (at_[vertex].size() != 2 || at_[vertex][0] == at_[vertex][1]) return std::nullopt;
     const std::size_t first = (std::min)(at_[vertex][0], at_[vertex][1]),
                       second = (std::max)(at_[vertex][0], at_[vertex][1]);
-    Medial_edge &e = axis_.edges[first], &f = axis_.edges[second];
+    Medial_axis_2::Edge &e = axis_.edges[first], &f = axis_.edges[second];
     if (e.to != vertex) turn(e);
     if (f.from != vertex) turn(f);
     e.samples.insert(e.samples.end(), f.samples.begin() + 1, f.samples.end());
@@ -89,7 +89,7 @@ class Axis_editor {
       const std::size_t leaf = leaves.back();
       leaves.pop_back();
       if (degree(leaf) != 1) continue;  // its edge is gone
-      Medial_edge& e = axis_.edges[at_[leaf].front()];
+      Medial_axis_2::Edge& e = axis_.edges[at_[leaf].front()];
       if (e.from != leaf) turn(e);
       const std::size_t first = first_of(e, degree(e.to) == 1);
       if (first + 1 == e.samples.size()) {
@@ -98,8 +98,8 @@ class Axis_editor {
         if (degree(e.to) == 1) leaves.push_back(e.to);
       } else if (first > 0) {
         e.samples.erase(e.samples.begin(), e.samples.begin() + static_cast<std::ptrdiff_t>(first));
-        const Medial_sample& s = e.samples.front();
-        Medial_vertex& v = axis_.vertices[leaf];
+        const Medial_axis_2::Sample& s = e.samples.front();
+        Medial_axis_2::Vertex& v = axis_.vertices[leaf];
         v.center = s.center, v.radius = s.radius, v.touches = {s.left, s.right};
         moved.push_back(leaf);
       }
@@ -112,7 +112,7 @@ class Axis_editor {
   [[nodiscard]] Medial_axis_2 edited() && {
     constexpr auto NONE = static_cast<std::size_t>(-1);
     std::vector<std::size_t> number(axis_.vertices.size(), NONE);
-    std::vector<Medial_vertex> vertices;
+    std::vector<Medial_axis_2::Vertex> vertices;
     const auto number_of = [&](std::size_t v) {
       if (number[v] == NONE) number[v] = vertices.size(), vertices.push_back(std::move(axis_.vertices[v]));
       return number[v];
@@ -121,7 +121,7 @@ class Axis_editor {
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
       if (!is_edge_left_[i]) continue;
       if (left != i) axis_.edges[left] = std::move(axis_.edges[i]);
-      Medial_edge& e = axis_.edges[left++];
+      Medial_axis_2::Edge& e = axis_.edges[left++];
       e.from = number_of(e.from);
       e.to = number_of(e.to);
     }
@@ -133,7 +133,7 @@ class Axis_editor {
   }
 
  private:
-  static void turn(Medial_edge& e) {
+  static void turn(Medial_axis_2::Edge& e) {
     reverse(e.samples);
     std::swap(e.from, e.to);
   }
@@ -144,7 +144,8 @@ class Axis_editor {
 };
 
 /// The place of a radius, or the last one, on the way from one sample to another one with a larger disc.
-[[nodiscard]] inline Medial_sample sample_of(double radius, const Medial_sample& s, const Medial_sample& t) {
+[[nodiscard]] inline Medial_axis_2::Sample sample_of(double radius, const Medial_axis_2::Sample& s,
+                                                     const Medial_axis_2::Sample& t) {
   if (radius >= t.radius) return t;
   const double share = (radius - s.radius) / (t.radius - s.radius);
   const auto place = [&](const Curve_place& p, const Curve_place& q) {
@@ -156,18 +157,18 @@ class Axis_editor {
 /// Returns what of an axis has no larger discs.
 /// \param most not less: where discs get larger, an edge ends at this radius, or at the first larger disc
 [[nodiscard]] inline Medial_axis_2 with_discs_up_to(double largest, double most, Medial_axis_2 axis) {
-  std::vector<Medial_edge> edges;
-  const auto add_end = [&](Medial_edge& run, const Medial_sample& s, const Medial_sample& t) {
-    const Medial_sample end = sample_of(most, s, t);
+  std::vector<Medial_axis_2::Edge> edges;
+  const auto add_end = [&](Medial_axis_2::Edge& run, const Medial_axis_2::Sample& s, const Medial_axis_2::Sample& t) {
+    const Medial_axis_2::Sample end = sample_of(most, s, t);
     run.samples.push_back(end);
     axis.vertices.push_back({end.center, end.radius, {end.left, end.right}, {}});
     return axis.vertices.size() - 1;
   };
   const std::size_t given = axis.vertices.size();
-  for (const Medial_edge& e : axis.edges) {
-    Medial_edge run{e.from, e.to, {}};
+  for (const Medial_axis_2::Edge& e : axis.edges) {
+    Medial_axis_2::Edge run{e.from, e.to, {}};
     for (std::size_t i = 0; i < e.samples.size(); ++i) {
-      const Medial_sample& s = e.samples[i];
+      const Medial_axis_2::Sample& s = e.samples[i];
       if (s.radius <= largest) {
         if (i > 0 && run.samples.empty()) run.from = add_end(run, s, e.samples[i - 1]);
         run.samples.push_back(s);
@@ -187,7 +188,7 @@ class Axis_editor {
     if (kept++ != v) axis.vertices[number[v]] = std::move(axis.vertices[v]);
   }
   axis.vertices.resize(kept);
-  for (Medial_edge& e : edges) e.from = number[e.from], e.to = number[e.to];
+  for (Medial_axis_2::Edge& e : edges) e.from = number[e.from], e.to = number[e.to];
   axis.edges = std::move(edges);
   return axis;
 }

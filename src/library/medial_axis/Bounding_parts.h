@@ -58,7 +58,7 @@ inline constexpr double CLOSE_WALLS = 0x1p-42;
 
 /// \param close how close walls are that meet
 /// \complexity that of all intersections, n log n otherwise
-[[nodiscard]] Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options,
+[[nodiscard]] Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_2::Options& options,
                                             double close);
 
 /// What bounds the regions of an axis of curves: what it was made of, or, of one that was read, that once more.

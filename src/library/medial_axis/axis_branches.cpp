@@ -26,12 +26,12 @@ class Branch_search {
   /// \param axis without what is not taken
   explicit Branch_search(Medial_axis_2 axis)
       : axis_(std::move(axis)), is_in_forest_(axis_.edges.size()), at_(axis_.vertices.size()) {
-    for (const Medial_edge& e : axis_.edges) lengths_.push_back(internal::length_of(e.samples));
+    for (const Medial_axis_2::Edge& e : axis_.edges) lengths_.push_back(internal::length_of(e.samples));
   }
 
-  [[nodiscard]] std::vector<Axis_branch> branches() {
+  [[nodiscard]] std::vector<Medial_axis_2::Branch> branches() {
     find_forest();
-    std::vector<std::vector<Axis_branch>> parts;
+    std::vector<std::vector<Medial_axis_2::Branch>> parts;
     std::vector<char> is_done(at_.size());
     for (std::size_t i = 0; i < at_.size(); ++i) {
       if (is_done[i] != 0) continue;
@@ -47,9 +47,9 @@ class Branch_search {
     }
     std::stable_sort(parts.begin(), parts.end(),
                      [](const auto& a, const auto& b) { return is_longer(a.front(), b.front()); });
-    std::vector<Axis_branch> result;
+    std::vector<Medial_axis_2::Branch> result;
     for (std::size_t part = 0; part < parts.size(); ++part)
-      for (Axis_branch& branch : parts[part]) {
+      for (Medial_axis_2::Branch& branch : parts[part]) {
         branch.part = part;
         result.push_back(std::move(branch));
       }
@@ -65,7 +65,7 @@ class Branch_search {
   };
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
-  static bool is_longer(const Axis_branch& a, const Axis_branch& b) { return a.length > b.length; }
+  static bool is_longer(const Medial_axis_2::Branch& a, const Medial_axis_2::Branch& b) { return a.length > b.length; }
 
   void find_forest() {
     std::vector<std::size_t> order(lengths_.size());
@@ -74,7 +74,7 @@ class Branch_search {
                      [&](std::size_t a, std::size_t b) { return lengths_[a] > lengths_[b]; });
     boost::disjoint_sets_with_storage<> trees(at_.size());
     for (const std::size_t i : order) {
-      const Medial_edge& e = axis_.edges[i];
+      const Medial_axis_2::Edge& e = axis_.edges[i];
       const std::size_t a = trees.find_set(e.from), b = trees.find_set(e.to);
       is_in_forest_[i] = a != b;
       if (a != b) trees.link(a, b);
@@ -88,7 +88,7 @@ class Branch_search {
     for (std::size_t i = 0; i < result.size(); ++i) {
       const Visit from = result[i];
       for (const std::size_t k : at_[from.node]) {
-        const Medial_edge& e = axis_.edges[k];
+        const Medial_axis_2::Edge& e = axis_.edges[k];
         if (!is_in_forest_[k] || k == from.edge) continue;
         result.push_back({e.from == from.node ? e.to : e.from, k, i, from.distance + lengths_[k]});
       }
@@ -103,7 +103,7 @@ class Branch_search {
 
   // The ways of a tree: from each node the way goes on to where it is farthest to a leaf, and others begin there. The
   // first one is the longest of the tree, as its root is one end of that.
-  void add_ways(const std::vector<Visit>& tree, std::vector<Axis_branch>& ways) const {
+  void add_ways(const std::vector<Visit>& tree, std::vector<Medial_axis_2::Branch>& ways) const {
     std::vector<double> beyond(tree.size(), 0);
     std::vector<std::size_t> next(tree.size(), NONE);
     for (std::size_t i = tree.size(); i-- > 1;) {
@@ -116,19 +116,19 @@ class Branch_search {
     }
     for (std::size_t i = 0; i < tree.size(); ++i) {
       if (i > 0 && next[tree[i].before] == i) continue;  // it is on the way that comes there
-      Axis_branch way;
+      Medial_axis_2::Branch way;
       if (i > 0) follow(way, tree[i], tree[tree[i].before].node);
       for (std::size_t at = i; next[at] != NONE; at = next[at]) follow(way, tree[next[at]], tree[at].node);
       if (!way.samples.empty()) ways.push_back(std::move(way));
     }
     for (const Visit& visit : tree)
       for (const std::size_t k : at_[visit.node]) {
-        const Medial_edge& e = axis_.edges[k];
+        const Medial_axis_2::Edge& e = axis_.edges[k];
         if (!is_in_forest_[k] && e.from == visit.node) ways.push_back({e.samples, lengths_[k], 0});
       }
   }
-  void follow(Axis_branch& way, const Visit& visit, std::size_t from) const {
-    std::vector<Medial_sample> samples = axis_.edges[visit.edge].samples;
+  void follow(Medial_axis_2::Branch& way, const Visit& visit, std::size_t from) const {
+    std::vector<Medial_axis_2::Sample> samples = axis_.edges[visit.edge].samples;
     if (axis_.edges[visit.edge].from != from) internal::reverse(samples);
     way.samples.insert(way.samples.end(), samples.begin() + (way.samples.empty() ? 0 : 1), samples.end());
     way.length += lengths_[visit.edge];
@@ -142,7 +142,7 @@ class Branch_search {
 
 }  // namespace
 
-std::vector<Axis_branch> axis_branches(const Medial_axis_2& axis, double largest) {
+std::vector<Medial_axis_2::Branch> axis_branches(const Medial_axis_2& axis, double largest) {
   if (!(largest > 0)) throw std::invalid_argument(expected("largest", "a radius above 0", largest));
   return Branch_search(internal::with_discs_up_to(largest, largest, axis)).branches();
 }

@@ -5,9 +5,9 @@
 // Bodies of medial_axis/axis_certificate.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Line_prover.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +35,16 @@ class Axis_prover {
   [[nodiscard]] Axis_certificate prove() {
     Axis_certificate result;
     result.is_euler = axis_.vertices.size() + axis_.holes == axis_.edges.size() + axis_.regions;
-    for (const Medial_edge& e : axis_.edges) result.edges.push_back(prove(e));
+    for (const Medial_axis_2::Edge& e : axis_.edges) result.edges.push_back(prove(e));
     result.is_tiled = is_tiled();
     bool is_bounded = result.is_tiled && result.is_euler;
-    for (const Edge_bound& e : result.edges) {
+    for (const Axis_certificate::Edge& e : result.edges) {
       result.bound = (std::max)(result.bound, e.bound);
       is_bounded = is_bounded && e.bound < Line_prover::UNBOUNDED;
     }
-    for (Edge_bound& e : result.edges)
-      if (!is_bounded && e.status == Edge_status::PROVEN)
-        e.status = Edge_status::ESTIMATED, e.reason = Edge_reason::ELSEWHERE;
+    for (Axis_certificate::Edge& e : result.edges)
+      if (!is_bounded && e.status == Axis_certificate::Status::PROVEN)
+        e.status = Axis_certificate::Status::ESTIMATED, e.reason = Axis_certificate::Reason::ELSEWHERE;
     return result;
   }
 
@@ -54,16 +54,18 @@ class Axis_prover {
   static constexpr double LEAST = 0x1p-42;     // of the size: shorter parts of the boundary are left out
   static constexpr int MOST_PARTED = 1 << 18;  // lines within one that is given: a bound that needs more is not got
 
-  [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
-    Edge_bound result;
-    if (e.samples.size() < 2) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
+  [[nodiscard]] Axis_certificate::Edge prove(const Medial_axis_2::Edge& e) {
+    Axis_certificate::Edge result;
+    if (e.samples.size() < 2)
+      return {Axis_certificate::Status::ESTIMATED, Axis_certificate::Reason::FEET, Line_prover::UNBOUNDED};
     lines_.clear();
     double moved = 0;  // by samples that are left out
-    Medial_sample s = sample(e, 0);
+    Medial_axis_2::Sample s = sample(e, 0);
     for (std::size_t i = 1; i < e.samples.size(); ++i) {
-      const Medial_sample t = sample(e, i);
+      const Medial_axis_2::Sample t = sample(e, i);
       const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
-      if (!left || !right) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
+      if (!left || !right)
+        return {Axis_certificate::Status::ESTIMATED, Axis_certificate::Reason::FEET, Line_prover::UNBOUNDED};
       const Axis_line line{{s.center, s.radius}, {t.center, t.radius}, *left, *right};
       const double length = euclidean_norm(t.center - s.center) + std::fabs(t.radius - s.radius);
       // two discs of the same feet, back to front within rounding
@@ -95,15 +97,16 @@ class Axis_prover {
       is_in_order = is_in_order && l.result.is_in_order;
     }
     result.bound += moved;
-    if (!is_in_order) result = {Edge_status::ESTIMATED, Edge_reason::CELL, Line_prover::UNBOUNDED};
-    else if (!(result.bound <= axis_.eps)) result.reason = Edge_reason::BAND;
-    else result.status = Edge_status::PROVEN;
+    if (!is_in_order)
+      result = {Axis_certificate::Status::ESTIMATED, Axis_certificate::Reason::CELL, Line_prover::UNBOUNDED};
+    else if (!(result.bound <= axis_.eps)) result.reason = Axis_certificate::Reason::BAND;
+    else result.status = Axis_certificate::Status::PROVEN;
     return result;
   }
 
   // A sample with feet on normals, and in a vertex with those that its other edges have.
-  [[nodiscard]] Medial_sample sample(const Medial_edge& e, std::size_t i) const {
-    Medial_sample s = e.samples[i];
+  [[nodiscard]] Medial_axis_2::Sample sample(const Medial_axis_2::Edge& e, std::size_t i) const {
+    Medial_axis_2::Sample s = e.samples[i];
     for (Curve_place* foot : {&s.left, &s.right}) {
       if (i == 0) *foot = shared(*foot, axis_.vertices[e.from]);
       if (i + 1 == e.samples.size()) *foot = shared(*foot, axis_.vertices[e.to]);
@@ -112,7 +115,7 @@ class Axis_prover {
     return s;
   }
   // Where a curve is nearly as curved as the disc, edges may have feet apart that are one.
-  [[nodiscard]] Curve_place shared(const Curve_place& foot, const Medial_vertex& v) const {
+  [[nodiscard]] Curve_place shared(const Curve_place& foot, const Medial_axis_2::Vertex& v) const {
     constexpr double SAME = 0x1p-28;  // of the size; what is proven of feet is of those that are taken
     const Xy<double> at = point(foot);
     Curve_place nearest = foot;
@@ -174,7 +177,7 @@ class Axis_prover {
 
   [[nodiscard]] Xy<double> point(const Curve_place& p) const { return point_at(curves_, p); }
   // A touched arc is told by its ends alone, which may be two corners of a gap.
-  [[nodiscard]] std::vector<Xy<double>> touched_by(const Medial_vertex& v) const {
+  [[nodiscard]] std::vector<Xy<double>> touched_by(const Medial_axis_2::Vertex& v) const {
     constexpr double NEAR = 0x1p-36;  // of the size; all points of the boundary are as right
     std::vector<Xy<double>> points;
     for (const Curve_place& p : v.touches) {
@@ -201,8 +204,8 @@ class Axis_prover {
   }
   [[nodiscard]] bool is_tiled() {
     feet_.assign(axis_.vertices.size(), {});
-    for (const Medial_edge& e : axis_.edges) {
-      const Medial_sample first = sample(e, 0), last = sample(e, e.samples.size() - 1);
+    for (const Medial_axis_2::Edge& e : axis_.edges) {
+      const Medial_axis_2::Sample first = sample(e, 0), last = sample(e, e.samples.size() - 1);
       feet_[e.from].ends.push_back(point(first.left));
       feet_[e.from].begins.push_back(point(first.right));
       feet_[e.to].begins.push_back(point(last.left));
@@ -261,7 +264,7 @@ class Axis_prover {
     const double room = least_;
     if (fat.arc.bulge == 0 || !(fat.radius <= room)) return false;
     for (const std::size_t i : on_arcs_) {
-      const Medial_vertex& v = axis_.vertices[i];
+      const Medial_axis_2::Vertex& v = axis_.vertices[i];
       const auto is_on = [&](const Spiral_sample& s) {
         return std::fabs(euclidean_norm(s.point - v.center) - v.radius) <= room;
       };
@@ -293,25 +296,26 @@ class Axis_prover {
 
 namespace CGAL::Bounding_arcs {
 
-const char* name_of(Edge_reason reason) {
+const char* name_of(Axis_certificate::Reason reason) {
   switch (reason) {
-    case Edge_reason::NONE:
+    case Axis_certificate::Reason::NONE:
       return "NONE";
-    case Edge_reason::FEET:
+    case Axis_certificate::Reason::FEET:
       return "FEET";
-    case Edge_reason::CELL:
+    case Axis_certificate::Reason::CELL:
       return "CELL";
-    case Edge_reason::BAND:
+    case Axis_certificate::Reason::BAND:
       return "BAND";
-    case Edge_reason::ELSEWHERE:
+    case Axis_certificate::Reason::ELSEWHERE:
       return "ELSEWHERE";
   }
   return "";
 }
 
 bool Axis_certificate::is_proven() const {
-  return is_tiled && is_euler &&
-         std::all_of(edges.begin(), edges.end(), [](const Edge_bound& e) { return e.status == Edge_status::PROVEN; });
+  return is_tiled && is_euler && std::all_of(edges.begin(), edges.end(), [](const Axis_certificate::Edge& e) {
+           return e.status == Axis_certificate::Status::PROVEN;
+         });
 }
 
 Axis_certificate axis_certificate(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
@@ -321,7 +325,7 @@ Axis_certificate axis_certificate(const Bounding_arc_tree_2& curves, const Media
   const Medial_axis_2 scaled = internal::in(unit, axis);
   Axis_certificate result = internal::Axis_prover(*bounds, scaled).prove();
   result.bound = unit.out(result.bound);
-  for (Edge_bound& e : result.edges) e.bound = unit.out(e.bound);
+  for (Axis_certificate::Edge& e : result.edges) e.bound = unit.out(e.bound);
   return result;
 }
 

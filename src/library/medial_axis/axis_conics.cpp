@@ -5,10 +5,10 @@
 // Bodies of medial_axis/axis_conics.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Line_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ class Conic_maker {
   Conic_maker(const Bounding_parts& bounds, double size, double axis_eps, double eps)
       : runs_(bounds, ROOM * size), parts_(bounds.segments, size), size_(size), axis_eps_(axis_eps), eps_(eps) {}
 
-  [[nodiscard]] std::vector<Axis_conic> conics(const Medial_edge& e) const {
-    std::vector<Axis_conic> result;
+  [[nodiscard]] std::vector<Medial_axis_2::Conic> conics(const Medial_axis_2::Edge& e) const {
+    std::vector<Medial_axis_2::Conic> result;
     if (e.samples.size() < 2) return result;
     const std::size_t last = e.samples.size() - 1;
     for (std::size_t i = 0; i < last; i = result.back().last) result.push_back(longest(e, i, last));
@@ -40,9 +40,9 @@ class Conic_maker {
   static constexpr double ROOM = 0x1p-42;  // of the size: lengths below are nothing
 
   // Steps are doubled as long as the conic is near enough, then the first that is not is bisected for.
-  [[nodiscard]] Axis_conic longest(const Medial_edge& e, std::size_t first, std::size_t last) const {
+  [[nodiscard]] Medial_axis_2::Conic longest(const Medial_axis_2::Edge& e, std::size_t first, std::size_t last) const {
     std::size_t far = first + 1, step = 1, too_far = last + 1;
-    Axis_conic best = line(e, first);
+    Medial_axis_2::Conic best = line(e, first);
     if (const auto found = conic(e, first, far); found && found->error <= axis_eps_) best = *found;
     while (far < last && too_far > last) {
       const std::size_t next = (std::min)(far + step, last);
@@ -59,8 +59,8 @@ class Conic_maker {
     return best;
   }
 
-  [[nodiscard]] Axis_conic line(const Medial_edge& e, std::size_t i) const {
-    const Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
+  [[nodiscard]] Medial_axis_2::Conic line(const Medial_axis_2::Edge& e, std::size_t i) const {
+    const Medial_axis_2::Sample &s = e.samples[i], &t = e.samples[i + 1];
     const auto arcs = arcs_of(e, i, i + 1);
     return {i,
             i + 1,
@@ -75,9 +75,9 @@ class Conic_maker {
     return {runs_.point(p), runs_.point(q), 0};
   }
 
-  [[nodiscard]] std::optional<std::pair<Fat_arc_2, Fat_arc_2>> arcs_of(const Medial_edge& e, std::size_t first,
+  [[nodiscard]] std::optional<std::pair<Fat_arc_2, Fat_arc_2>> arcs_of(const Medial_axis_2::Edge& e, std::size_t first,
                                                                        std::size_t last) const {
-    const Medial_sample &s = e.samples[first], &t = e.samples[last];
+    const Medial_axis_2::Sample &s = e.samples[first], &t = e.samples[last];
     const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
     if (!left || !right) return std::nullopt;
     return std::pair{parts_.part(*left, true).fat, parts_.part(*right, false).fat};
@@ -89,13 +89,14 @@ class Conic_maker {
   // With angles a and b from the chord to the tangents the apex is |way| sin b / sin(a + b) from the first end, and
   // |way| sin a / sin(a + b) from the last one. That is at most |way| where a + b is at most a right angle, unbounded
   // where it comes near two, and of rounding where both are hardly above 0.
-  [[nodiscard]] std::optional<Axis_conic> conic(const Medial_edge& e, std::size_t first, std::size_t last) const {
+  [[nodiscard]] std::optional<Medial_axis_2::Conic> conic(const Medial_axis_2::Edge& e, std::size_t first,
+                                                          std::size_t last) const {
     const auto arcs = arcs_of(e, first, last);
     if (!arcs) return std::nullopt;
     const Arc_2 &a = arcs->first.arc, &b = arcs->second.arc;
     const double wide = arcs->first.radius + arcs->second.radius;
     const Xy<double> from = e.samples[first].center, to = e.samples[last].center, way = to - from;
-    Axis_conic result{first, last, {from, from + 0.5 * way, to}, 1, a, b};
+    Medial_axis_2::Conic result{first, last, {from, from + 0.5 * way, to}, 1, a, b};
     const Xy<double> t0 = along(from, a, b), t1 = along(to, a, b);
     const double rise_first = cross(t0, way), rise_last = cross(way, t1), room = ROOM * size_;
     if (std::fabs(rise_first) > room || std::fabs(rise_last) > room) {
@@ -113,7 +114,7 @@ class Conic_maker {
     };
     for (const double t : {0.25, 0.5, 0.75}) see(off(at(result, t), a, b, wide));
     for (std::size_t i = first; i <= last; ++i) {
-      const Medial_sample& s = e.samples[i];
+      const Medial_axis_2::Sample& s = e.samples[i];
       const double radius = 0.5 * (sight(s.center, a).distance + sight(s.center, b).distance);
       see(off(s.center, a, b, wide) + std::fabs(radius - s.radius));
     }
@@ -126,7 +127,7 @@ class Conic_maker {
     return (1 / euclidean_norm(t)) * t;
   }
   // A point of the conic as it is written.
-  [[nodiscard]] static Xy<double> at(const Axis_conic& c, double t) {
+  [[nodiscard]] static Xy<double> at(const Medial_axis_2::Conic& c, double t) {
     const double first = (1 - t) * (1 - t), second = 2 * c.weight * t * (1 - t), third = t * t;
     return (1 / (first + second + third)) * (first * c.points[0] + second * c.points[1] + third * c.points[2]);
   }
@@ -159,18 +160,18 @@ class Conic_maker {
 
 }  // namespace
 
-std::vector<std::vector<Axis_conic>> axis_conics(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis,
-                                                 double eps) {
+std::vector<std::vector<Medial_axis_2::Conic>> axis_conics(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis,
+                                                           double eps) {
   check_above_zero("eps", eps);
   const Unit& unit = curves.unit();
   const Medial_axis_2 scaled = internal::in(unit, axis);
   const auto bounds = internal::bounds_of(axis, curves.in_unit());
   const Conic_maker maker(*bounds, coordinate_size(curves.in_unit().drawing()), scaled.eps, unit.tolerance_in(eps));
-  std::vector<std::vector<Axis_conic>> result;
+  std::vector<std::vector<Medial_axis_2::Conic>> result;
   const auto place = [&](const Xy<double>& p) { return unit.out(p); };
-  for (const Medial_edge& e : scaled.edges) {
+  for (const Medial_axis_2::Edge& e : scaled.edges) {
     result.push_back(maker.conics(e));
-    for (Axis_conic& c : result.back()) {
+    for (Medial_axis_2::Conic& c : result.back()) {
       for (Xy<double>& p : c.points) p = place(p);
       for (Arc_2* arc : {&c.left, &c.right}) arc->from = place(arc->from), arc->to = place(arc->to);
       c.error = unit.bounds_out(Bracket{0, c.error}).upper;

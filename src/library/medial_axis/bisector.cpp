@@ -5,7 +5,7 @@
 // Bodies of medial_axis/bisector.h.
 
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/Closest_search.h"
@@ -20,45 +20,46 @@
 namespace CGAL::Bounding_arcs {
 
 // How far s is from the line between the others, in the plane and in the radius together.
-[[nodiscard]] static double deviation(const Bisector_sample& s0, const Bisector_sample& s, const Bisector_sample& s1) {
+[[nodiscard]] static double deviation(const Bisector_2::Sample& s0, const Bisector_2::Sample& s,
+                                      const Bisector_2::Sample& s1) {
   const Xy<double> way = s1.center - s0.center, from = s.center - s0.center;
   const double all = dot(way, way), share = all > 0 ? dot(from, way) / all : 0;
   return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
 }
 
 Bisector_2::Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2& b, double largest)
-    : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(scaled(a, unit_)), b_(b.in_unit(unit_)),
-      largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
+    : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(internal::scaled(a, unit_)),
+      b_(b.in_unit(unit_)), largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
   if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
     throw std::invalid_argument(expected("largest", "a radius above 0 and up to 2^500 (3e150)", largest));
   check_queried(a);
 }
 
-std::optional<Bisector_sample> Bisector_2::disc(double t) const {
+std::optional<Bisector_2::Sample> Bisector_2::disc(double t) const {
   const auto found = disc_in_unit(t);
   return found ? std::optional(out(*found)) : std::nullopt;
 }
 
-std::vector<std::vector<Bisector_sample>> Bisector_2::sample(double eps) const {
+std::vector<std::vector<Bisector_2::Sample>> Bisector_2::sample(double eps) const {
   check_above_zero("eps", eps);
   Chains chains = chains_in_unit(unit_.tolerance_in(eps));
   for (auto& chain : chains)
-    for (Bisector_sample& s : chain) s = out(s);
+    for (Bisector_2::Sample& s : chain) s = out(s);
   return chains;
 }
 
-Bisector_sample Bisector_2::out(const Bisector_sample& s) const {
+Bisector_2::Sample Bisector_2::out(const Bisector_2::Sample& s) const {
   return {unit_.out(s.center), unit_.out(s.radius), s.t, s.touches};
 }
 
-std::optional<Bisector_sample> Bisector_2::disc_in_unit(double t) const {
+std::optional<Bisector_2::Sample> Bisector_2::disc_in_unit(double t) const {
   const Segment_hierarchy& b = *b_;
   const std::vector<Xy<double>> jet = taylor_expansion(a_, t, 2);
   const double speed = euclidean_norm(jet[1]);
   if (!(speed > 0)) return std::nullopt;
   const Xy<double> normal = (1 / speed) * perp(jet[1]);
   const double curvature = 2 * cross(jet[1], jet[2]) / (speed * speed * speed);
-  Bisector_sample disc{{}, curvature * largest_ > 1 ? 1 / curvature : largest_, t, {}};
+  Bisector_2::Sample disc{{}, curvature * largest_ > 1 ? 1 / curvature : largest_, t, {}};
   bool is_found = false;
   for (;;) {
     disc.center = jet[0] + disc.radius * normal;
@@ -80,11 +81,11 @@ std::optional<Bisector_sample> Bisector_2::disc_in_unit(double t) const {
 
 Bisector_2::Chains Bisector_2::chains_in_unit(double eps) const {
   Chains chains(1);
-  std::optional<Bisector_sample> last = disc_in_unit(0);
+  std::optional<Bisector_2::Sample> last = disc_in_unit(0);
   if (last) chains.back().push_back(*last);
   for (int i = 1; i <= FIRST; ++i) {
     const double t0 = static_cast<double>(i - 1) / FIRST, t1 = static_cast<double>(i) / FIRST;
-    const std::optional<Bisector_sample> next = disc_in_unit(t1);
+    const std::optional<Bisector_2::Sample> next = disc_in_unit(t1);
     add_between(t0, last, t1, next, eps, chains);
     last = next;
   }
@@ -93,12 +94,12 @@ Bisector_2::Chains Bisector_2::chains_in_unit(double eps) const {
 }
 
 // What comes behind t0, up to t1.
-void Bisector_2::add_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
-                             const std::optional<Bisector_sample>& s1, double eps, Chains& chains) const {
+void Bisector_2::add_between(double t0, const std::optional<Bisector_2::Sample>& s0, double t1,
+                             const std::optional<Bisector_2::Sample>& s1, double eps, Chains& chains) const {
   if (!s0 && !s1) return;
   if (t1 - t0 > LEAST_STEP) {
     const double t = t0 + (t1 - t0) / 2;
-    const std::optional<Bisector_sample> s = disc_in_unit(t);
+    const std::optional<Bisector_2::Sample> s = disc_in_unit(t);
     if (!s0 || !s1 || !s || deviation(*s0, *s, *s1) > eps) {
       add_between(t0, s0, t, s, eps, chains);
       add_between(t, s, t1, s1, eps, chains);
@@ -111,9 +112,9 @@ void Bisector_2::add_between(double t0, const std::optional<Bisector_sample>& s0
 }
 
 // The last disc, or the first one, of a chain that ends between two places.
-Bisector_sample Bisector_2::end_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
-                                        const std::optional<Bisector_sample>& s1) const {
-  Bisector_sample end = s0 ? *s0 : *s1;
+Bisector_2::Sample Bisector_2::end_between(double t0, const std::optional<Bisector_2::Sample>& s0, double t1,
+                                           const std::optional<Bisector_2::Sample>& s1) const {
+  Bisector_2::Sample end = s0 ? *s0 : *s1;
   double none = s0 ? t1 : t0;
   for (;;) {
     const double t = end.t + (none - end.t) / 2;

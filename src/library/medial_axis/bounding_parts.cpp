@@ -35,7 +35,7 @@ struct Ring_of_sides {
 };
 
 /// How often curves wind round points of faces; in a frame that alone.
-[[nodiscard]] std::vector<int> windings_of_faces(const Overlay& overlay, const Medial_axis_options& options) {
+[[nodiscard]] std::vector<int> windings_of_faces(const Overlay& overlay, const Medial_axis_2::Options& options) {
   const Cut_curves& cut = overlay.cut();
   const std::size_t frame = overlay.curves().drawing().curves().size() - 1;
   std::vector<int> windings(overlay.number_of_faces(), 0);
@@ -51,12 +51,12 @@ struct Ring_of_sides {
       [&](std::uint32_t face) { windings[face] = winding; });
   return windings;
 }
-[[nodiscard]] bool is_inside(const Medial_axis_options& options, int winding) {
+[[nodiscard]] bool is_inside(const Medial_axis_2::Options& options, int winding) {
   return is_filled(options.is_framed ? Fill_rule::NONZERO : options.rule, winding);
 }
 
 /// In a frame each face is a region, and a curve with one face on both sides is a wall in it.
-[[nodiscard]] std::vector<Ring_of_sides> bounding_rings(const Overlay& overlay, const Medial_axis_options& options,
+[[nodiscard]] std::vector<Ring_of_sides> bounding_rings(const Overlay& overlay, const Medial_axis_2::Options& options,
                                                         const std::vector<int>& windings) {
   std::vector<char> are_inside;  // by face
   for (const int w : windings) are_inside.push_back(is_inside(options, w) ? 1 : 0);
@@ -201,7 +201,7 @@ class Parted_segments {
 
 }  // namespace
 
-Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options, double close) {
+Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_2::Options& options, double close) {
   const std::vector<std::uint32_t> pieces = pieces_of_length(curves);
   std::optional<Segment_hierarchy> of_length;
   if (pieces.size() < curves.number_of_beziers()) of_length = curves.of_pieces(pieces);

@@ -2,15 +2,15 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of medial_axis/clearance_path.h.
+// The path with the most room between two points (medial_axis/medial_axis.h).
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_graph.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include "../query/Closest_search.h"
 #include "../query/query_units.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
+#include "axis_units.h"
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/filtered_graph.hpp>
@@ -36,8 +36,8 @@ struct Axis_place {
 };
 
 struct Way_to_axis {
-  std::vector<Clearance_path::Station> stations;  ///< the point, and the center of the disc that it grows to
-  Axis_place place;                               ///< next to that
+  std::vector<Medial_axis_2::Path::Station> stations;  ///< the point, and the center of the disc that it grows to
+  Axis_place place;                                    ///< next to that
 };
 /// The way from a point straight away from the nearest place of the curves, until the disc that touches there is
 /// maximal.
@@ -90,7 +90,7 @@ class Axis_roads {
   }
 
   /// Returns the widest way from one place to the other one, for what is no wider than given at both ends.
-  [[nodiscard]] std::optional<std::vector<Clearance_path::Station>> widest(double start, double stop) const {
+  [[nodiscard]] std::optional<std::vector<Medial_axis_2::Path::Station>> widest(double start, double stop) const {
     const double width = widest_between();
     if (!(width >= 0)) return std::nullopt;
     return shortest((std::min)({width, start, stop}));
@@ -101,15 +101,15 @@ class Axis_roads {
 
   // Makes a vertex of a place, which ends one edge and starts another.
   void cut(const Axis_place& p, std::size_t vertex) {
-    Medial_edge& edge = axis_.edges[p.edge];
-    const Medial_sample &a = edge.samples[p.first], &b = edge.samples[p.first + 1];
-    Medial_sample s = a;
+    Medial_axis_2::Edge& edge = axis_.edges[p.edge];
+    const Medial_axis_2::Sample &a = edge.samples[p.first], &b = edge.samples[p.first + 1];
+    Medial_axis_2::Sample s = a;
     s.center = a.center + p.share * (b.center - a.center);
     s.radius = a.radius + p.share * (b.radius - a.radius);
     axis_.vertices[vertex].center = s.center;
     axis_.vertices[vertex].radius = s.radius;
     const auto behind = edge.samples.begin() + static_cast<std::ptrdiff_t>(p.first + 1);
-    Medial_edge rest{vertex, edge.to, {s}};
+    Medial_axis_2::Edge rest{vertex, edge.to, {s}};
     rest.samples.insert(rest.samples.end(), behind, edge.samples.end());
     edge.samples.erase(behind, edge.samples.end());
     edge.samples.push_back(s);
@@ -137,19 +137,19 @@ class Axis_roads {
     bool operator()(const Road& r) const { return (*graph)[r].least_clearance >= width; }
   };
   // Returns the shortest way along roads that are wide enough.
-  [[nodiscard]] std::vector<Clearance_path::Station> shortest(double width) const {
+  [[nodiscard]] std::vector<Medial_axis_2::Path::Station> shortest(double width) const {
     const boost::filtered_graph<Medial_graph, Is_wide_enough> wide(graph_, {&graph_, width});
     std::vector<Road> by(axis_.vertices.size());
     const auto notes_roads = boost::record_edge_predecessors(by.data(), boost::on_edge_relaxed());
     boost::dijkstra_shortest_paths(wide, start_,
-                                   boost::weight_map(boost::get(&Medial_graph_edge::length, wide))
+                                   boost::weight_map(boost::get(&Medial_graph::edge_bundled::length, wide))
                                        .visitor(boost::make_dijkstra_visitor(notes_roads)));
-    std::vector<Clearance_path::Station> stations;  // backwards
+    std::vector<Medial_axis_2::Path::Station> stations;  // backwards
     for (std::size_t v = stop_; v != start_;) {
-      const Medial_edge& edge = axis_.edges[graph_[by[v]].index];
+      const Medial_axis_2::Edge& edge = axis_.edges[graph_[by[v]].index];
       const bool is_forward = edge.to == v;
       for (std::size_t k = 0; k < edge.samples.size(); ++k) {
-        const Medial_sample& s = edge.samples[is_forward ? edge.samples.size() - 1 - k : k];
+        const Medial_axis_2::Sample& s = edge.samples[is_forward ? edge.samples.size() - 1 - k : k];
         stations.push_back({s.center, s.radius});
       }
       v = is_forward ? edge.from : edge.to;
@@ -165,15 +165,15 @@ class Axis_roads {
 
 }  // namespace
 
-[[nodiscard]] static std::optional<Clearance_path> clearance_path(const Segment_hierarchy& curves,
-                                                                  const Medial_axis_2& axis, const Xy<double>& from,
-                                                                  const Xy<double>& to) {
+[[nodiscard]] static std::optional<Medial_axis_2::Path> clearance_path(const Segment_hierarchy& curves,
+                                                                       const Medial_axis_2& axis,
+                                                                       const Xy<double>& from, const Xy<double>& to) {
   const auto start = way_to_axis(curves, axis, from), stop = way_to_axis(curves, axis, to);
   if (!start || !stop) return std::nullopt;
   const auto between = Axis_roads(axis, start->place, stop->place)
                            .widest(start->stations.front().clearance, stop->stations.front().clearance);
   if (!between) return std::nullopt;
-  Clearance_path path;
+  Medial_axis_2::Path path;
   path.stations = start->stations;
   path.stations.insert(path.stations.end(), between->begin(), between->end());
   path.stations.insert(path.stations.end(), stop->stations.rbegin(), stop->stations.rend());
@@ -189,13 +189,14 @@ class Axis_roads {
 
 namespace CGAL::Bounding_arcs {
 
-std::optional<Clearance_path> clearance_path(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                             const Asked_point& from, const Asked_point& to) {
+std::optional<Medial_axis_2::Path> clearance_path(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
+                                                  const Asked_point& from, const Asked_point& to) {
   const Unit& unit = tree.unit();
   auto path = internal::clearance_path(internal::bounds_of(axis, tree.in_unit())->segments, internal::in(unit, axis),
                                        point_in(unit, from.point), point_in(unit, to.point));
   if (!path || unit.is_one()) return path;
-  for (Clearance_path::Station& s : path->stations) s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
+  for (Medial_axis_2::Path::Station& s : path->stations)
+    s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
   path->bottleneck = unit.out(path->bottleneck);
   path->length = unit.out(path->length);
   return path;

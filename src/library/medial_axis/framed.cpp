@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of medial_axis/framed.h.
+// Drawings in frames (medial_axis/medial_axis.h).
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 
@@ -43,7 +43,7 @@ Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
   return framed(std::move(drawing), wide);
 }
 
-void check_frame(const Drawing_2<double>& drawing) {
+void internal::check_frame(const Drawing_2<double>& drawing) {
   if (drawing.curves().empty()) return;
   Drawing_2<double> frame;
   frame.add(drawing.curves().back().beziers, drawing.curves().back().name);

@@ -36,7 +36,7 @@ struct Not_segment {
 
 [[nodiscard]] static Bounding_parts bounds_of_closed(const Bounding_arc_tree_2& curves, Fill_rule rule) {
   check_closed(curves.drawing());
-  Medial_axis_options options;
+  Medial_axis_2::Options options;
   options.rule = rule;
   const Segment_hierarchy& in_unit = curves.in_unit();
   return bounding_parts(in_unit, options, CLOSE_WALLS * coordinate_size(in_unit.drawing()));
@@ -54,13 +54,13 @@ struct Maximal_discs_2::Boundary {
       : curves(tree), bounds(internal::bounds_of_closed(tree, rule)), boundary(internal::axis_boundary(bounds)),
         places(bounds, 0) {}
 
-  [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
+  [[nodiscard]] Maximal_discs_2::Disc at(const internal::Boundary_place& p) const;
 };
 
 Maximal_discs_2::Maximal_discs_2(const Bounding_arc_tree_2& tree, Fill_rule rule)
     : boundary_(std::make_shared<const Boundary>(tree, rule)) {}
 
-std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
+std::optional<Maximal_discs_2::Disc> Maximal_discs_2::operator()(const Curve_place& place) const {
   const auto& all = boundary_->curves.drawing().curves();
   if (place.curve >= all.size() || place.bezier >= all[place.curve].beziers.size() || !(place.t >= 0 && place.t <= 1))
     throw std::invalid_argument(
@@ -75,7 +75,7 @@ std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place
   return std::nullopt;
 }
 
-Maximal_disc Maximal_discs_2::Boundary::at(const internal::Boundary_place& p) const {
+Maximal_discs_2::Disc Maximal_discs_2::Boundary::at(const internal::Boundary_place& p) const {
   const internal::Boundary_jet jet = boundary(p);
   const double curvature = jet.speed > 0 ? jet.turn / jet.speed : 0;
   double most = boundary.largest_radius();
@@ -83,26 +83,27 @@ Maximal_disc Maximal_discs_2::Boundary::at(const internal::Boundary_place& p) co
   const internal::Not_segment others{boundary, boundary.element(p.element).segment};
   internal::Disc_search<internal::Not_segment> search(boundary, others, jet.point, jet.normal(), most);
   search.search();
-  Maximal_disc disc{curves.unit().out(search.center()), curves.unit().out(search.radius()), std::nullopt};
+  Maximal_discs_2::Disc disc{curves.unit().out(search.center()), curves.unit().out(search.radius()), std::nullopt};
   if (search.is_found()) disc.touches = boundary.curve_place(search.place());
   return disc;
 }
 
-std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
+std::optional<Medial_axis_2::Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& curves,
+                                                                    const Medial_axis_2& axis) {
   if (axis.vertices.empty()) return std::nullopt;
-  const Medial_vertex* vertex = &axis.vertices.front();
-  for (const Medial_vertex& v : axis.vertices)
+  const Medial_axis_2::Vertex* vertex = &axis.vertices.front();
+  for (const Medial_axis_2::Vertex& v : axis.vertices)
     if (v.radius > vertex->radius) vertex = &v;
   Xy<double> center = vertex->center;
   double most = vertex->radius;
-  for (const Medial_edge& e : axis.edges)
-    for (const Medial_sample& s : e.samples)
+  for (const Medial_axis_2::Edge& e : axis.edges)
+    for (const Medial_axis_2::Sample& s : e.samples)
       if (s.radius > most) most = s.radius, center = s.center;
   const Unit& unit = curves.unit();
   const Bracket in_unit = closest_point(internal::bounds_of(axis, curves.in_unit())->segments, point_in(unit, center))
                               ->distance,
                 found = unit.bounds_out(in_unit);
-  return Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
+  return Medial_axis_2::Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,8 +8,6 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -19,6 +17,7 @@
 #include "Axis_builder.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +34,7 @@ namespace {
 
 /// What is asked for, in the unit of the segments.
 struct Asked_axis {
-  Medial_axis_options options;
+  Medial_axis_2::Options options;
   double eps;  // how far the axis, and its radius together, may be from the lines between samples
   Index_loop loop;
 };
@@ -50,7 +49,7 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
   std::vector<Xy<double>> places;
   for (std::size_t i = 0; i < is_wrong_edge.size(); ++i) {
     if (is_wrong_edge[i] == 0) continue;
-    const Medial_edge& e = editor.axis().edges[i];
+    const Medial_axis_2::Edge& e = editor.axis().edges[i];
     places.push_back(e.samples[e.samples.size() / 2].center);
     editor.remove_edge(i);
   }
@@ -61,14 +60,14 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
   }
   axis = std::move(editor).edited();
   axis.unresolved.insert(axis.unresolved.end(), places.begin(), places.end());
-  axis.status = Medial_axis_status::UNRESOLVED;
+  axis.status = Medial_axis_2::Status::UNRESOLVED;
 }
 
 // Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Those within a sixteenth of
 // eps of the next one are not needed, and are left out where their discs have a curve in them.
 template <class Is_empty>
-void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_sample>& samples) {
-  const auto is_near = [&](const Medial_sample& a, const Medial_sample& b) {
+void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_axis_2::Sample>& samples) {
+  const auto is_near = [&](const Medial_axis_2::Sample& a, const Medial_axis_2::Sample& b) {
     return euclidean_norm(a.center - b.center) <= eps / 16;
   };
   std::size_t kept = 1;
@@ -82,7 +81,7 @@ void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_
 }
 
 // Whether a sample is far from the chord of those beside it, as places of rounding are.
-[[nodiscard]] bool is_outlier(const std::vector<Medial_sample>& samples, std::size_t i, double eps) {
+[[nodiscard]] bool is_outlier(const std::vector<Medial_axis_2::Sample>& samples, std::size_t i, double eps) {
   if (i == 0 || i + 1 == samples.size()) return false;
   constexpr double FAR = 16;  // times eps; a chord over two parts is off by four times as much as one over each
   const Xy<double> a = samples[i - 1].center, way = samples[i + 1].center - a, to = samples[i].center - a;
@@ -103,7 +102,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
     constexpr std::size_t STEP = 8;
-    std::vector<Medial_sample>& samples = axis.edges[edge].samples;
+    std::vector<Medial_axis_2::Sample>& samples = axis.edges[edge].samples;
     leave_samples_out(is_empty, axis.eps, samples);
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
@@ -115,7 +114,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
       loop, RANGE_SIZE, axis.edges.size(), [&](std::size_t i) { return axis.edges[i].samples.front().center; },
       check_edge);
   const auto check_vertex = [&](std::size_t vertex) {
-    Medial_vertex& v = axis.vertices[vertex];
+    Medial_axis_2::Vertex& v = axis.vertices[vertex];
     v.clearance =
         (v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front()))
             ->distance;
@@ -125,14 +124,14 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   for_each_by_place(
       loop, RANGE_SIZE, axis.vertices.size(), [&](std::size_t i) { return axis.vertices[i].center; }, check_vertex);
   leave_out(is_wrong_vertex, is_wrong_edge, axis);
-  for (const Medial_vertex& v : axis.vertices)
+  for (const Medial_axis_2::Vertex& v : axis.vertices)
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
 }
 
 /// The most by which a vertex's disc misses one of its touches, or its center's distance from all curves.
 [[nodiscard]] double most_miss(const Segment_hierarchy& curves, const Medial_axis_2& axis) {
   double most = axis.error;
-  for (const Medial_vertex& v : axis.vertices)
+  for (const Medial_axis_2::Vertex& v : axis.vertices)
     for (const Curve_place& p : v.touches)
       most = (std::max)(most, std::fabs(euclidean_norm(point_at(curves, p) - v.center) - v.radius));
   return most;
@@ -149,7 +148,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     return axis;
   };
   Medial_axis_2 axis = made(false);
-  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
+  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_2::Status::COMPLETE; };
   constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
   const double miss = most_miss(parts.segments, axis);
   if (is_good(axis) && miss <= ROOM * boundary.resolution() + parts.moved) return axis;
@@ -166,7 +165,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   Medial_axis_2 axis = axis_of(*bounds, asked);
   axis.moved = bounds->moved;
   if (bounds->undecided) {
-    axis.status = Medial_axis_status::UNRESOLVED;
+    axis.status = Medial_axis_2::Status::UNRESOLVED;
     axis.unresolved = {*bounds->undecided};
   }
   axis.left_out = bounds->left_out;
@@ -214,7 +213,7 @@ struct Move {
   constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), FEW = 4, MANY = 64, SEGMENTS = 1 << 14;  // of all tries
   const std::size_t tries =
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
-  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
+  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_2::Status::COMPLETE; };
   const double size = coordinate_size(curves.drawing());
   Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size);
   for (std::uint32_t seed = 0; seed < tries && !is_good(axis) && !axis.bounds->undecided; ++seed) {
@@ -229,7 +228,7 @@ struct Move {
 
 }  // namespace
 
-Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps, const Medial_axis_options& options,
+Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps, const Medial_axis_2::Options& options,
                           Index_loop loop) {
   check_above_zero("eps", eps);
   if (options.is_framed) check_frame(curves.drawing());

@@ -4,13 +4,13 @@
 //
 // Bodies of medial_axis/pruned.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../query/Closest_search.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ class Axis_pruner {
   // How far a branch sticks out of the disc of its base: the most of the leaf's own disc and of all discs that were
   // taken away before it became a leaf.
   [[nodiscard]] double significance(const Branch& of) const {
-    const Medial_vertex &v = editor_.axis().vertices[of.leaf], &b = editor_.axis().vertices[of.base];
+    const Medial_axis_2::Vertex &v = editor_.axis().vertices[of.leaf], &b = editor_.axis().vertices[of.base];
     double most = euclidean_norm(v.center - b.center) + v.radius - b.radius;
     for (const Disc& d : lost_[of.leaf])
       most = (std::max)(most, euclidean_norm(d.center - b.center) + d.radius - b.radius);
@@ -68,7 +68,7 @@ class Axis_pruner {
     return best;
   }
   void remove(const Branch& branch) {
-    const Medial_vertex& leaf = editor_.axis().vertices[branch.leaf];
+    const Medial_axis_2::Vertex& leaf = editor_.axis().vertices[branch.leaf];
     lost_[branch.base].push_back({leaf.center, leaf.radius});
     add_lost(branch.leaf, branch.base);
     editor_.remove_vertex(branch.leaf);
@@ -90,7 +90,7 @@ class Axis_pruner {
 /// \param curves the parts that discs touch
 [[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Segment_hierarchy& curves, double least_angle,
                                     double half_distance) {
-  const auto is_apart = [&](const Medial_sample& s) {
+  const auto is_apart = [&](const Medial_axis_2::Sample& s) {
     const Xy<double> left = point_at(curves, s.left), right = point_at(curves, s.right), a = left - s.center,
                      b = right - s.center;
     const double angle = std::fabs(std::atan2(cross(a, b), dot(a, b)));
@@ -98,7 +98,7 @@ class Axis_pruner {
   };
   Axis_editor editor(std::move(axis));
   // feet at ends of edges are those of the way there; of the leaf itself any
-  const std::vector<std::size_t> moved = editor.shorten([&](const Medial_edge& e, bool is_alone) {
+  const std::vector<std::size_t> moved = editor.shorten([&](const Medial_axis_2::Edge& e, bool is_alone) {
     std::size_t first = 1;
     while (first + 1 < e.samples.size() && !is_apart(e.samples[first])) ++first;
     const bool is_whole =
@@ -106,7 +106,7 @@ class Axis_pruner {
     return is_whole ? 0 : first;
   });
   for (const std::size_t i : moved) {
-    Medial_vertex& v = editor.axis().vertices[i];
+    Medial_axis_2::Vertex& v = editor.axis().vertices[i];
     v.clearance = closest_point(curves, v.center)->distance;
     double& error = editor.axis().error;
     error = (std::max)({error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
@@ -126,7 +126,7 @@ Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
       unit, internal::Axis_pruner(internal::in(unit, std::move(axis)), unit.tolerance_in(significance)).pruned());
 }
 
-Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Feet_apart& apart) {
+Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Medial_axis_2::Feet_apart& apart) {
   constexpr double MOST_ANGLE = 2;
   if (!(apart.angle >= 0 && apart.angle <= MOST_ANGLE))
     throw std::invalid_argument(expected("angle", "a number from 0 to 2", apart.angle));

@@ -4,10 +4,10 @@
 //
 // Bodies of medial_axis/thin_places.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "Axis_editor.h"
+#include "axis_units.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -27,9 +27,9 @@ namespace {
 /// An axis without what runs into corners: steps from ends along which radii rise by that share of the way or more.
 [[nodiscard]] Medial_axis_2 without_corners(Medial_axis_2 axis, double rise, double room) {
   internal::Axis_editor editor(std::move(axis));
-  editor.shorten([&](const Medial_edge& e, bool) {
+  editor.shorten([&](const Medial_axis_2::Edge& e, bool) {
     const auto& samples = e.samples;
-    const auto rises = [&](const Medial_sample& s, const Medial_sample& t) {
+    const auto rises = [&](const Medial_axis_2::Sample& s, const Medial_axis_2::Sample& t) {
       return t.radius - s.radius + room >= rise * euclidean_norm(t.center - s.center);
     };
     std::size_t first = 0;
@@ -39,16 +39,18 @@ namespace {
   return std::move(editor).edited();
 }
 
-[[nodiscard]] std::vector<Thin_stretch> stretches_of(Medial_axis_2 axis) {
+[[nodiscard]] std::vector<Medial_axis_2::Thin_stretch> stretches_of(Medial_axis_2 axis) {
   internal::Axis_editor editor(std::move(axis));
   for (std::size_t v = 0; v < editor.axis().vertices.size(); ++v) editor.pass(v);
   Medial_axis_2 ways = std::move(editor).edited();
-  std::vector<Thin_stretch> result;
+  std::vector<Medial_axis_2::Thin_stretch> result;
   const std::vector<std::size_t> degree = degrees(ways);
   for (std::size_t v = 0; v < degree.size(); ++v)
     if (degree[v] == 0) result.push_back({{internal::disc_of(ways.vertices[v])}, 0, 0});
-  const auto is_smaller = [](const Medial_sample& s, const Medial_sample& t) { return s.radius < t.radius; };
-  for (Medial_edge& e : ways.edges) {
+  const auto is_smaller = [](const Medial_axis_2::Sample& s, const Medial_axis_2::Sample& t) {
+    return s.radius < t.radius;
+  };
+  for (Medial_axis_2::Edge& e : ways.edges) {
     const auto least = std::min_element(e.samples.begin(), e.samples.end(), is_smaller) - e.samples.begin();
     const double length = internal::length_of(e.samples);
     result.push_back({std::move(e.samples), static_cast<std::size_t>(least), length});
@@ -58,7 +60,7 @@ namespace {
 
 }  // namespace
 
-std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit, double corner) {
+std::vector<Medial_axis_2::Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit, double corner) {
   constexpr double HALF_TURN = 3.14159265358979323846;
   if (!(limit > 0)) throw std::invalid_argument(expected("limit", "a length above 0", limit));
   if (!(corner > 0 && corner <= HALF_TURN))
@@ -68,21 +70,24 @@ std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit
   const Unit unit = internal::unit_of(axis);
   Medial_axis_2 scaled = internal::in(unit, axis);
   double size = 0;
-  for (const Medial_vertex& v : scaled.vertices)
+  for (const Medial_axis_2::Vertex& v : scaled.vertices)
     size = (std::max)({size, std::fabs(v.center.x) + v.radius, std::fabs(v.center.y) + v.radius});
   const double room = ROOM * size, most = unit.in(limit) / 2;
   scaled = without_corners(std::move(scaled), std::sin((std::max)(corner - SAME, 0.0) / 2), room);
-  std::vector<Thin_stretch> result = stretches_of(internal::with_discs_up_to(most - room, most, std::move(scaled)));
-  for (Thin_stretch& stretch : result) {
+  std::vector<Medial_axis_2::Thin_stretch> result =
+      stretches_of(internal::with_discs_up_to(most - room, most, std::move(scaled)));
+  for (Medial_axis_2::Thin_stretch& stretch : result) {
     stretch.length = unit.out(stretch.length);
-    for (Medial_sample& s : stretch.samples) s.center = unit.out(s.center), s.radius = unit.out(s.radius);
+    for (Medial_axis_2::Sample& s : stretch.samples) s.center = unit.out(s.center), s.radius = unit.out(s.radius);
   }
   std::stable_sort(result.begin(), result.end(),
-                   [](const Thin_stretch& a, const Thin_stretch& b) { return a.disc().radius < b.disc().radius; });
+                   [](const Medial_axis_2::Thin_stretch& a, const Medial_axis_2::Thin_stretch& b) {
+                     return a.disc().radius < b.disc().radius;
+                   });
   return result;
 }
 
-std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
+std::vector<Medial_axis_2::Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   struct Disc {
     double radius;
     std::size_t edge, sample, steps;
@@ -93,9 +98,9 @@ std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   };
   std::vector<Disc> discs;  // vertices, then the samples between them
   std::vector<Step> steps;
-  for (const Medial_vertex& v : axis.vertices) discs.push_back({v.radius, 0, 0, 0});
+  for (const Medial_axis_2::Vertex& v : axis.vertices) discs.push_back({v.radius, 0, 0, 0});
   for (std::size_t e = 0; e < axis.edges.size(); ++e) {
-    const Medial_edge& edge = axis.edges[e];
+    const Medial_axis_2::Edge& edge = axis.edges[e];
     for (std::size_t i = 0, before = edge.from; i < edge.samples.size(); ++i) {
       const bool is_first = i == 0, is_last = i + 1 == edge.samples.size();
       const std::size_t disc = is_first ? edge.from : (is_last ? edge.to : discs.size());
@@ -109,7 +114,7 @@ std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   }
   std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.radius < b.radius; });
 
-  std::vector<Neck> result;
+  std::vector<Medial_axis_2::Neck> result;
   const double least = (std::max)(least_prominence, axis.eps);
   const auto end_pool = [&](std::size_t bottom, double prominence) {
     const Disc& disc = discs[bottom];
@@ -131,8 +136,9 @@ std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence) {
   }
   for (std::size_t i = 0; i < discs.size(); ++i)
     if (pools.find_set(i) == i) end_pool(bottom[i], std::numeric_limits<double>::infinity());
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Neck& a, const Neck& b) { return a.disc.radius < b.disc.radius; });
+  std::stable_sort(result.begin(), result.end(), [](const Medial_axis_2::Neck& a, const Medial_axis_2::Neck& b) {
+    return a.disc.radius < b.disc.radius;
+  });
   return result;
 }
 

@@ -4,11 +4,11 @@
 //
 // Bodies of medial_axis/voronoi_cells.h.
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
 #include "Line_parts.h"
+#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ class Cell_walk {
     link();
   }
 
-  [[nodiscard]] std::vector<Voronoi_cell> cells() {
+  [[nodiscard]] std::vector<Medial_axis_2::Cell> cells() {
     std::vector<bool> is_done(2 * axis_.edges.size());
     for (std::size_t side = 0; side < is_done.size(); ++side) {
       if (is_done[side]) continue;
@@ -88,7 +88,7 @@ class Cell_walk {
     for (std::size_t i = 0; i < degree.size(); ++i)
       if (degree[i] == 0) add_disc(axis_.vertices[i]);
     std::stable_sort(cells_.begin(), cells_.end(),
-                     [](const Voronoi_cell& a, const Voronoi_cell& b) { return a.curve < b.curve; });
+                     [](const Medial_axis_2::Cell& a, const Medial_axis_2::Cell& b) { return a.curve < b.curve; });
     return std::move(cells_);
   }
 
@@ -102,13 +102,13 @@ class Cell_walk {
   };
 
   [[nodiscard]] static bool is_left(std::size_t side) { return side % 2 != 0; }
-  [[nodiscard]] const Medial_edge& edge(std::size_t side) const { return axis_.edges[side / 2]; }
+  [[nodiscard]] const Medial_axis_2::Edge& edge(std::size_t side) const { return axis_.edges[side / 2]; }
   [[nodiscard]] std::size_t size(std::size_t side) const { return edge(side).samples.size(); }
   [[nodiscard]] std::size_t sample(std::size_t side, std::size_t k) const {
     return is_left(side) ? size(side) - 1 - k : k;
   }
   [[nodiscard]] const Curve_place& foot(std::size_t side, std::size_t k, bool is_own = true) const {
-    const Medial_sample& s = edge(side).samples[sample(side, k)];
+    const Medial_axis_2::Sample& s = edge(side).samples[sample(side, k)];
     return is_left(side) == is_own ? s.left : s.right;
   }
 
@@ -153,7 +153,7 @@ class Cell_walk {
   }
 
   // The cell of a curve that is a circle, which has no edge within.
-  void add_disc(const Medial_vertex& v) {
+  void add_disc(const Medial_axis_2::Vertex& v) {
     const auto is_other = [&](const Curve_place& p) { return p.curve != v.touches.front().curve; };
     if (v.touches.empty() || std::any_of(v.touches.begin(), v.touches.end(), is_other)) return;
     const Curve_place& p = v.touches.front();
@@ -187,7 +187,7 @@ class Cell_walk {
         cells_.back().first = l.from;
         cells_.back().is_whole = is_whole;
       }
-      Voronoi_cell& cell = cells_.back();
+      Medial_axis_2::Cell& cell = cells_.back();
       if (directions[i] != 0) cell.is_reversed = directions[i] < 0;
       cell.last = l.to;
       const std::size_t number = l.side / 2, from = sample(l.side, l.first), to = sample(l.side, l.first + 1);
@@ -205,7 +205,7 @@ class Cell_walk {
   Foot_runs runs_;
   const Medial_axis_2& axis_;
   std::vector<std::size_t> next_;  // side 2i is the right one of edge i, 2i + 1 the left one
-  std::vector<Voronoi_cell> cells_;
+  std::vector<Medial_axis_2::Cell> cells_;
 };
 
 }  // namespace
@@ -214,13 +214,13 @@ class Cell_walk {
 
 namespace CGAL::Bounding_arcs {
 
-std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis) {
+std::vector<Medial_axis_2::Cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis) {
   const auto bounds = internal::bounds_of(axis, tree.in_unit());
   return internal::Cell_walk(*bounds, internal::in(tree.unit(), axis)).cells();
 }
 
 std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                     const Voronoi_cell& cell, int per_piece) {
+                                     const Medial_axis_2::Cell& cell, int per_piece) {
   const internal::Places places(tree.in_unit());
   const Unit& unit = tree.unit();
   const std::uint32_t n = places.count(cell.curve);

@@ -16,7 +16,7 @@ double Mpfr_interval::relative_width() const {
   const int sign = this->certain_sign();
   if (sign == 0 || mpfr_number_p(lo_.get()) == 0 || mpfr_number_p(hi_.get()) == 0)
     return std::numeric_limits<double>::infinity();
-  Mpfr_number x(precision());
+  internal::Mpfr_number x(precision());
   mpfr_sub(x.get(), hi_.get(), lo_.get(), MPFR_RNDU);
   mpfr_div(x.get(), x.get(), sign > 0 ? lo_.get() : hi_.get(), MPFR_RNDA);
   return std::fabs(mpfr_get_d(x.get(), MPFR_RNDA));
@@ -88,20 +88,22 @@ Mpfr_interval Mpfr_interval::whole(mpfr_prec_t precision) {
 
 // With one sign certain each bound comes from one pair of ends; otherwise the lower one from a low and a high end,
 // the upper one from two of a kind.
-Mpfr_interval Mpfr_interval::by_signs(const Mpfr_interval& a, const Mpfr_interval& b, const Mpfr_number& b_low,
-                                      const Mpfr_number& b_high, Operation operation) {
+Mpfr_interval Mpfr_interval::by_signs(const Mpfr_interval& a, const Mpfr_interval& b,
+                                      const internal::Mpfr_number& b_low, const internal::Mpfr_number& b_high,
+                                      Operation operation) {
   const mpfr_prec_t precision = joint(a, b);
   const int s = a.certain_sign(), t = b.certain_sign();
   Mpfr_interval r(Precision{precision});
   bool is_open = false;
-  const auto set = [&](Mpfr_number& x, const Mpfr_number& p, const Mpfr_number& q, mpfr_rnd_t mode) {
+  const auto set = [&](internal::Mpfr_number& x, const internal::Mpfr_number& p, const internal::Mpfr_number& q,
+                       mpfr_rnd_t mode) {
     operation(x.get(), p.get(), q.get(), mode);
     is_open = is_open || mpfr_nan_p(x.get()) != 0;
   };
   set(r.lo_, t < 0 || (t == 0 && s > 0) ? a.hi_ : a.lo_, s < 0 || (t >= 0 && s == 0) ? b_high : b_low, MPFR_RNDD);
   set(r.hi_, t < 0 || (t == 0 && s < 0) ? a.lo_ : a.hi_, s < 0 || (t < 0 && s == 0) ? b_low : b_high, MPFR_RNDU);
   if (s == 0 && t == 0) {
-    Mpfr_number x(precision);
+    internal::Mpfr_number x(precision);
     set(x, a.hi_, b_low, MPFR_RNDD);
     mpfr_min(r.lo_.get(), r.lo_.get(), x.get(), MPFR_RNDD);
     set(x, a.lo_, b_low, MPFR_RNDU);

@@ -17,23 +17,23 @@
 
 namespace CGAL::Bounding_arcs {
 
-[[nodiscard]] static bool is_valid(const Offset_piece& p) {
+[[nodiscard]] static bool is_valid(const Offset::Piece& p) {
   const auto is_parameter = [](double t) { return t >= 0 && t <= 1; };
   return is_valid(p.arc) && is_parameter(p.source.t) && is_parameter(p.t_end);
 }
 
 // Each piece starts where the one before ends.
-[[nodiscard]] static bool follow_each_other(const Offset_chain& chain) {
-  const std::vector<Offset_piece>& p = chain.pieces;
+[[nodiscard]] static bool follow_each_other(const Offset::Chain& chain) {
+  const std::vector<Offset::Piece>& p = chain.pieces;
   for (std::size_t i = 0; i + 1 < p.size(); ++i)
     if (p[i].arc.to != p[i + 1].arc.from) return false;
   return !p.empty() && (!chain.is_closed || p.back().arc.to == p.front().arc.from);
 }
 
-[[nodiscard]] static bool is_within(const Offset_chain& chain, const Offset_chain& other, double room) {
+[[nodiscard]] static bool is_within(const Offset::Chain& chain, const Offset::Chain& other, double room) {
   CGAL::Bbox_2 all;
-  for (const Offset_piece& p : other.pieces) all += box(p.arc);
-  return std::all_of(chain.pieces.begin(), chain.pieces.end(), [&](const Offset_piece& p) {
+  for (const Offset::Piece& p : other.pieces) all += box(p.arc);
+  return std::all_of(chain.pieces.begin(), chain.pieces.end(), [&](const Offset::Piece& p) {
     const Xy<double>& q = p.arc.from;
     return all.xmin() - room <= q.x && q.x <= all.xmax() + room && all.ymin() - room <= q.y && q.y <= all.ymax() + room;
   });
@@ -50,21 +50,21 @@ namespace CGAL::Bounding_arcs {
   return offset.chains[i].is_ccw;
 }
 
-std::ostream& operator<<(std::ostream& out, const Offset_chain& chain) {
+std::ostream& operator<<(std::ostream& out, const Offset::Chain& chain) {
   Arc_text text(out);
-  for (const Offset_piece& p : chain.pieces) text << p.arc;
+  for (const Offset::Piece& p : chain.pieces) text << p.arc;
   return out;
 }
 
 bool Offset::is_valid() const {
   if (!std::isfinite(distance) || !(error >= 0)) return false;
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    const Offset_chain& c = chains[i];
-    const auto is_sound = [](const Offset_piece& p) { return Bounding_arcs::is_valid(p); };
+    const Offset::Chain& c = chains[i];
+    const auto is_sound = [](const Offset::Piece& p) { return Bounding_arcs::is_valid(p); };
     if (!std::all_of(c.pieces.begin(), c.pieces.end(), is_sound) || !follow_each_other(c)) return false;
     if (!c.is_closed) continue;
     if (!std::isfinite(c.area) || c.is_ccw != (c.area > 0)) return false;
-    if (side != Offset_side::BOTH) continue;
+    if (side != Offset::Side::BOTH) continue;
     if (!is_nested(*this, i)) return false;
     if (c.parent && !is_within(c, chains[*c.parent], error)) return false;
   }

@@ -153,16 +153,16 @@ inline void drop_covered(Raw_offset& raw, const Cover& cover, double depth) {
 class Offset_run {
  public:
   /// \param eps how near the offset is to be
-  Offset_run(const Source_arcs& sources, const Offset_options& options, double eps, double d)
+  Offset_run(const Source_arcs& sources, const Offset::Options& options, double eps, double d)
       : sources_(sources), options_(options), distance_(d), eps_asked_(eps), eps_((std::min)(eps, sources.least_eps())),
-        is_simple_(sources.is_simple() && options.side == Offset_side::BOTH) {
+        is_simple_(sources.is_simple() && options.side == Offset::Side::BOTH) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
       if (is_thin(c)) is_simple_ = false;
-      has_closed_ = has_closed_ || (c.is_closed && options.side == Offset_side::BOTH);  // one side is that of a band
+      has_closed_ = has_closed_ || (c.is_closed && options.side == Offset::Side::BOTH);  // one side is that of a band
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
-    is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);
+    is_round_ = options.join == Offset::Join::ROUND && (options.cap == Offset::Cap::ROUND || !has_open_);
     // normals of one curve may reach through another, beyond its side that is not offset
     if (!is_round_ && sources.curves.size() > 1) is_simple_ = false;
   }
@@ -224,7 +224,7 @@ class Offset_run {
       Trimmer trimmer(raw, cover, room);
       if (trimmer.trim()) return add_chains(wanted(std::move(trimmer).loops()), raw, error, offset);
     }
-    if (!trim_within_reach(raw, cover, error, offset)) offset.status = Offset_status::UNRESOLVED;
+    if (!trim_within_reach(raw, cover, error, offset)) offset.status = Offset::Status::UNRESOLVED;
   }
 
   // Once more where rounding decides, with parts that touch put together.
@@ -279,7 +279,7 @@ class Offset_run {
     offset.error = (std::max)(offset.error, error);
     const bool is_band = !has_closed_ || distance_ > 0;  // what is asked for is on the right of loops
     for (const Raw_loop& loop : loops) {
-      Offset_chain chain;
+      Offset::Chain chain;
       chain.pieces.reserve(loop.size());
       for (const Raw_part& p : loop) chain.pieces.push_back(piece_of(p, raw, sources_));
       if (is_band) reverse(chain.pieces);
@@ -287,7 +287,7 @@ class Offset_run {
       // thinner than that and it is not there at a distance within eps
       constexpr double VANISHES = 0x1p-4;
       if (2 * std::fabs(size.area) <= VANISHES * eps_asked_ * size.length) continue;
-      if (!has_closed_ && options_.side != Offset_side::BOTH) {
+      if (!has_closed_ && options_.side != Offset::Side::BOTH) {
         add_one_side(loop, raw, sources_, options_.side, offset.chains);
         continue;
       }
@@ -298,7 +298,7 @@ class Offset_run {
   }
 
   const Source_arcs& sources_;
-  const Offset_options& options_;
+  const Offset::Options& options_;
   std::vector<Offset_sides> sides_;    // of each curve
   double distance_, eps_asked_, eps_;  // the latter also that of small curves
   bool is_simple_, is_round_ = true, has_open_ = false;

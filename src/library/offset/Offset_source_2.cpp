@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
@@ -37,15 +37,15 @@ constexpr double OF_TINY_ARCS = 0x1p-10;
 constexpr double OF_ARCS = 0.75;
 
 /// The largest |coordinate| of ends of arcs.
-[[nodiscard]] static double coordinate_size(const std::vector<Offset_chain>& chains) {
+[[nodiscard]] static double coordinate_size(const std::vector<Offset::Chain>& chains) {
   double size = 0;
-  for (const Offset_chain& chain : chains)
-    for (const Offset_piece& p : chain.pieces)
+  for (const Offset::Chain& chain : chains)
+    for (const Offset::Piece& p : chain.pieces)
       for (const Xy<double>& q : {p.arc.from, p.arc.to}) size = (std::max)({size, std::fabs(q.x), std::fabs(q.y)});
   return size;
 }
 
-Offset_sources::Offset_sources(const Unit& unit, double eps, const Offset_options& options)
+Offset_sources::Offset_sources(const Unit& unit, double eps, const Offset::Options& options)
     : unit_(unit), options_(options) {
   if (!(eps > 0) || !std::isfinite(eps)) throw std::invalid_argument(expected("eps", "a finite number above 0", eps));
   if (!(options.miter_limit >= 1))
@@ -54,7 +54,7 @@ Offset_sources::Offset_sources(const Unit& unit, double eps, const Offset_option
   eps_ = (std::min)(unit.tolerance_in(eps), MOST);
 }
 
-Offset_sources::Offset_sources(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options,
+Offset_sources::Offset_sources(const Bounding_arc_tree_2& tree, double eps, const Offset::Options& options,
                                bool drops_open)
     : Offset_sources(tree.unit(), eps, options) {
   add_segments(tree.in_unit(), drops_open);
@@ -107,11 +107,11 @@ void Offset_sources::add_curves(const Segment_hierarchy& segments, std::size_t f
   }
 }
 
-Offset_sources::Offset_sources(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options)
+Offset_sources::Offset_sources(const std::vector<Offset::Chain>& chains, double eps, const Offset::Options& options)
     : Offset_sources(Unit::of_size(coordinate_size(chains)), eps, options) {
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
-    std::vector<Chain_arc_2> arcs;
-    for (const Offset_piece& p : chains[i].pieces) {
+    std::vector<Arc_chain::Arc> arcs;
+    for (const Offset::Piece& p : chains[i].pieces) {
       if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
         throw std::invalid_argument(expected("chain " + text_of(i), "coordinates up to 2^500 (3e150)",
                                              is_queried(p.arc.from) ? p.arc.to : p.arc.from));
@@ -136,21 +136,21 @@ void Offset_sources::part_closed_and_open() {
 }
 
 // A closed curve that is small or thin beside eps is followed more closely, until its arcs tell what it runs round.
-void Offset_sources::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+void Offset_sources::add_curve(std::vector<Arc_chain::Arc> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
                                std::uint32_t curve, bool is_closed, const Xy<double>& start) {
   constexpr int TIMES = 4;
   constexpr double CLOSER = 0x1p-4;
   double eps = eps_;
   if (is_closed && !arcs.empty()) {
     CGAL::Bbox_2 box;
-    for (const Chain_arc_2& a : arcs) box += CGAL::Bbox_2(a.from.x, a.from.y, a.from.x, a.from.y);
+    for (const Arc_chain::Arc& a : arcs) box += CGAL::Bbox_2(a.from.x, a.from.y, a.from.x, a.from.y);
     const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
     if (extent > 0) eps = (std::min)(eps, CLOSER * extent);
     else arcs.clear();  // it is a point
   }
   for (int time = 1;; ++time) {
     double error = 0;
-    for (const Chain_arc_2& a : arcs) error = (std::max)(error, a.error);
+    for (const Arc_chain::Arc& a : arcs) error = (std::max)(error, a.error);
     add_arcs(arcs, spirals, curve, is_closed, start, eps);
     all_.end_curve(eps, error);
     const Source_curve& c = all_.curves.back();
@@ -162,18 +162,19 @@ void Offset_sources::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<
     const std::vector<Bezier_spiral_2<double>> own(at(first), at(last + 1));
     Arc_chain chain = arc_chain(own, OF_ARCS * eps);
     arcs = std::move(chain.arcs);
-    for (Chain_arc_2& a : arcs) a.spiral += first;
+    for (Arc_chain::Arc& a : arcs) a.spiral += first;
   }
 }
 
-void Offset_sources::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                              std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps) {
+void Offset_sources::add_arcs(const std::vector<Arc_chain::Arc>& arcs,
+                              const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
+                              const Xy<double>& start, double eps) {
   all_.begin_curve(is_closed, start);
   const std::size_t begin = all_.arcs.size();
   // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
   const double tiny = OF_TINY_ARCS * eps;
   Xy<double> last = arcs.empty() ? start : arcs.front().from;
-  for (const Chain_arc_2& a : arcs) {
+  for (const Arc_chain::Arc& a : arcs) {
     const Xy<double> step = a.to - last;
     if (euclidean_norm(step) <= tiny) continue;
     const auto bezier =
@@ -187,7 +188,7 @@ void Offset_sources::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::v
 
 static void note_unresolved(const Filled_outline& outline, Offset& offset) {
   if (outline.is_resolved()) return;
-  offset.status = Offset_status::UNRESOLVED;
+  offset.status = Offset::Status::UNRESOLVED;
   offset.unresolved = outline.unresolved();
 }
 
@@ -196,9 +197,9 @@ Offset Offset_sources::out(Offset offset) const {
   constexpr int OF_AREAS = 2;
   if (offset.unresolved) offset.unresolved = unit_.out(*offset.unresolved);
   offset.error = unit_.bounds_out(Bracket{0, offset.error}).upper;
-  for (Offset_chain& chain : offset.chains) {
+  for (Offset::Chain& chain : offset.chains) {
     chain.area = unit_.out(chain.area, OF_AREAS);
-    for (Offset_piece& p : chain.pieces) {
+    for (Offset::Piece& p : chain.pieces) {
       p.arc.from = unit_.out(p.arc.from), p.arc.to = unit_.out(p.arc.to);
       if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
         throw std::invalid_argument(
@@ -226,13 +227,13 @@ Offset Offset_sources::in_unit_at(double d, double error) const {
   Offset offset;
   offset.side = options_.side;
   const auto run = [&](const Source_arcs& sources) { Offset_run(sources, options_, eps_, d).add_to(offset); };
-  if (d < 0 && has_closed_ && options_.side == Offset_side::BOTH) {
+  if (d < 0 && has_closed_ && options_.side == Offset::Side::BOTH) {
     const Filled_outline& outline = filled();
     run(outline.has_walls() ? outline.chains() : closed());
     if (outline.has_walls()) offset.error += outline.error();
     note_unresolved(outline, offset);
     if (has_both_) run(open_);
-  } else if (has_both_ && options_.side != Offset_side::BOTH) {
+  } else if (has_both_ && options_.side != Offset::Side::BOTH) {
     run(closed_);
     run(open_);
   } else {
@@ -245,8 +246,8 @@ Offset Offset_sources::in_unit_at(double d, double error) const {
 }
 
 void Offset_sources::finish_status(Offset& offset) const {
-  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= eps_))
-    offset.status = Offset_status::RESOLUTION_REACHED;
+  if (offset.status == Offset::Status::COMPLETE && !(is_resolved_ && offset.error <= eps_))
+    offset.status = Offset::Status::RESOLUTION_REACHED;
 }
 
 const Filled_outline& Offset_sources::filled() const {
@@ -273,10 +274,10 @@ Offset Offset_sources::unmoved(const Source_arcs& sources, double error) const {
   offset.error = error;
   for (const Source_curve& c : sources.curves) {
     if (!c.is_closed) continue;
-    Offset_chain chain;
+    Offset::Chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
       const Source_arc& s = sources.arcs[i];
-      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true, 0});
+      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset::Kind::CURVE, true, 0});
     }
     chain.area = c.area;
     chain.is_ccw = c.area > 0;
@@ -289,9 +290,9 @@ Offset Offset_sources::unmoved(const Source_arcs& sources, double error) const {
 
 }  // namespace internal
 
-Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options)
+Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset::Options& options)
     : sources_(std::make_shared<const internal::Offset_sources>(tree, eps, options)) {}
-Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options)
+Offset_source_2::Offset_source_2(const std::vector<Offset::Chain>& chains, double eps, const Offset::Options& options)
     : sources_(std::make_shared<const internal::Offset_sources>(chains, eps, options)) {}
 
 Offset Offset_source_2::at(double d) const { return sources_->at(d); }

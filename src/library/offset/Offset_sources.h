@@ -94,7 +94,7 @@ class Filled_outline {
       const auto begin = static_cast<std::uint32_t>(raw.edges.size());
       raw.runs.push_back({begin, begin + (c.end - c.begin), true});
       for (std::uint32_t i = c.begin; i < c.end; ++i)
-        raw.edges.push_back({closed.arcs[i].arc, i, Offset_kind::CURVE, true, false, false, turns[i]});
+        raw.edges.push_back({closed.arcs[i].arc, i, Offset::Kind::CURVE, true, false, false, turns[i]});
     }
     const auto is_empty = [&](const Xy<double>& q) { return !is_filled(rule, closed.winding(q)); };
     const double room = closed.room(0);
@@ -144,8 +144,8 @@ class Filled_outline {
 class Offset_sources {
  public:
   /// \param drops_open leaves out open curves and points
-  Offset_sources(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options, bool drops_open = false);
-  Offset_sources(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options);
+  Offset_sources(const Bounding_arc_tree_2& tree, double eps, const Offset::Options& options, bool drops_open = false);
+  Offset_sources(const std::vector<Offset::Chain>& chains, double eps, const Offset::Options& options);
 
   /// See Offset_source_2.
   [[nodiscard]] Offset at(double d) const;
@@ -156,9 +156,9 @@ class Offset_sources {
  private:
   void add_segments(const Segment_hierarchy& segments, bool drops_open);
   void add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last, bool drops_open);
-  void add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+  void add_curve(std::vector<Arc_chain::Arc> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
                  std::uint32_t curve, bool is_closed, const Xy<double>& start);
-  void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+  void add_arcs(const std::vector<Arc_chain::Arc>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
                 std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps);
   void part_closed_and_open();
   [[nodiscard]] const Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
@@ -168,10 +168,10 @@ class Offset_sources {
   [[nodiscard]] Offset out(Offset offset) const;
   void finish_status(Offset& offset) const;
 
-  Offset_sources(const Unit& unit, double eps, const Offset_options& options);
+  Offset_sources(const Unit& unit, double eps, const Offset::Options& options);
 
   Unit unit_;  // of all that follows
-  Offset_options options_;
+  Offset::Options options_;
   double eps_;
   Source_arcs all_, closed_, open_;  // the last two only where there are both
   bool has_both_ = false, has_closed_ = false;

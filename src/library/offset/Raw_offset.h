@@ -28,7 +28,7 @@ namespace CGAL::Bounding_arcs::internal {
 struct Raw_edge {
   Arc_2 arc;
   std::uint32_t source;  ///< an arc of the sources
-  Offset_kind kind;
+  Offset::Kind kind;
   bool is_round;
   bool is_backward;  ///< the source is run backwards: the offset is on its right
   bool is_at_end;    ///< of a join or a cap: it is about the end of the source
@@ -56,9 +56,9 @@ struct Raw_offset {
 };
 
 /// Whether an edge is what is wanted where curves are offset on one side; caps are on none.
-[[nodiscard]] inline bool is_on_side(const Raw_edge& edge, Offset_side side) {
-  return side == Offset_side::BOTH ||
-         (edge.kind != Offset_kind::CAP && edge.is_backward == (side == Offset_side::RIGHT));
+[[nodiscard]] inline bool is_on_side(const Raw_edge& edge, Offset::Side side) {
+  return side == Offset::Side::BOTH ||
+         (edge.kind != Offset::Kind::CAP && edge.is_backward == (side == Offset::Side::RIGHT));
 }
 
 /// A part of an edge.
@@ -98,7 +98,7 @@ class Raw_builder {
  public:
   /// \param snap gaps up to that are closed without a join
   /// \param is_round all joins and caps are: else what is covered has sides along normals, and these are added
-  Raw_builder(const Source_arcs& sources, const Offset_options& options, double snap, bool is_round)
+  Raw_builder(const Source_arcs& sources, const Offset::Options& options, double snap, bool is_round)
       : sources_(sources), options_(options), is_round_(is_round), least_snap_(snap), snap_(snap) {}
 
   /// What is d to the left of a closed curve, or to the right.
@@ -112,7 +112,7 @@ class Raw_builder {
   void add_band(const Source_curve& c, double d) {
     const Arc_2& first = sources_.arcs[c.begin].arc;
     const bool is_point = c.end == c.begin + 1 && first.from == first.to;
-    if (is_point && options_.cap == Offset_cap::BUTT) return;  // nothing has no length and no caps
+    if (is_point && options_.cap == Offset::Cap::BUTT) return;  // nothing has no length and no caps
     path_.clear();
     for (std::uint32_t i = c.begin; i < c.end; ++i) path_.push_back(directed(i, false));
     for (std::uint32_t i = c.end; i > c.begin; --i) path_.push_back(directed(i - 1, true));
@@ -201,7 +201,7 @@ class Raw_builder {
     const Xy<double>& vertex = b.arc.from;
     const auto add = [&](const Xy<double>& tip) {
       run_begin_ = size();
-      emit({vertex, tip, 0}, a, Offset_kind::JOIN, false, true, HALF_CIRCLE);
+      emit({vertex, tip, 0}, a, Offset::Kind::JOIN, false, true, HALF_CIRCLE);
       finish_run();
       raw_.has_normals = true;
     };
@@ -229,14 +229,14 @@ class Raw_builder {
     run_begin_ = size();
     is_active_ = false;
   }
-  void emit(const Arc_2& arc, const Directed& source, Offset_kind kind, bool is_round, bool is_at_end, double turn) {
+  void emit(const Arc_2& arc, const Directed& source, Offset::Kind kind, bool is_round, bool is_at_end, double turn) {
     if (std::exchange(is_behind_point_, false)) turn += HALF_CIRCLE;
     raw_.edges.push_back({arc, source.source, kind, is_round, source.is_backward, is_at_end, turn});
     last_ = arc.to;
   }
   // To a point that ought to be the last one.
   void connect(const Xy<double>& p, const Directed& a) {
-    if (euclidean_norm(p - last_) > least_snap_) emit({last_, p, 0}, a, Offset_kind::JOIN, true, false, HALF_CIRCLE);
+    if (euclidean_norm(p - last_) > least_snap_) emit({last_, p, 0}, a, Offset::Kind::JOIN, true, false, HALF_CIRCLE);
   }
   void close(std::uint32_t first) {
     Arc_2& arc = raw_.edges.back().arc;
@@ -257,7 +257,7 @@ class Raw_builder {
     const Arc_2 arc{offset_start(a), offset_end(a), a.arc.bulge};
     connect(arc.from, a);
     if (last_ != arc.from) raw_.gap = (std::max)(raw_.gap, way_off(arc, last_));
-    emit(from_another_start(arc, last_), a, Offset_kind::CURVE, true, false, 4 * std::fabs(a.arc.bulge));
+    emit(from_another_start(arc, last_), a, Offset::Kind::CURVE, true, false, 4 * std::fabs(a.arc.bulge));
   }
   // Goes round the start of arc i.
   void pass(std::size_t i) {
@@ -271,7 +271,7 @@ class Raw_builder {
     else add_join(vertex, before(i), path_[i], end);
   }
   void add_round(const Xy<double>& vertex, const Directed& a, const Xy<double>& normal, const Xy<double>& end,
-                 Offset_kind kind) {
+                 Offset::Kind kind) {
     double turn = std::atan2(-cross(a.n1, normal), dot(a.n1, normal));  // to the right
     if (turn < 0) turn += 2 * HALF_CIRCLE;
     const int count = 1 + static_cast<int>(turn / (0.5 * HALF_CIRCLE + 0x1p-20));
@@ -285,7 +285,7 @@ class Raw_builder {
     }
   }
   void add_segments(const Xy<double>& vertex, const Directed& a, const std::vector<Xy<double>>& points,
-                    Offset_kind kind) {
+                    Offset::Kind kind) {
     Raw_shape shape{{vertex}, 1, 0};  // clockwise as it is run round
     shape.corners[shape.size++] = last_;
     for (const Xy<double>& p : points) {
@@ -296,22 +296,22 @@ class Raw_builder {
   }
   void add_join(const Xy<double>& vertex, const Directed& a, const Directed& b, const Xy<double>& end) {
     const double c = 1 + dot(a.n1, b.n0), limit = options_.miter_limit;
-    if (options_.join == Offset_join::ROUND) return add_round(vertex, a, b.n0, end, Offset_kind::JOIN);
+    if (options_.join == Offset::Join::ROUND) return add_round(vertex, a, b.n0, end, Offset::Kind::JOIN);
     // the tip is sqrt(2 / c) times d away
-    if (options_.join == Offset_join::MITER && 2 <= limit * limit * c)
-      return add_segments(vertex, a, {vertex + (d_ / c) * (a.n1 + b.n0), end}, Offset_kind::JOIN);
-    add_segments(vertex, a, {end}, Offset_kind::JOIN);
+    if (options_.join == Offset::Join::MITER && 2 <= limit * limit * c)
+      return add_segments(vertex, a, {vertex + (d_ / c) * (a.n1 + b.n0), end}, Offset::Kind::JOIN);
+    add_segments(vertex, a, {end}, Offset::Kind::JOIN);
   }
   void add_cap(const Xy<double>& vertex, const Directed& a, const Xy<double>& end) {
-    if (options_.cap == Offset_cap::ROUND) return add_round(vertex, a, -a.n1, end, Offset_kind::CAP);
+    if (options_.cap == Offset::Cap::ROUND) return add_round(vertex, a, -a.n1, end, Offset::Kind::CAP);
     const Xy<double> on = d_ * Xy<double>{a.n1.y, -a.n1.x};
-    if (options_.cap == Offset_cap::BUTT) return add_segments(vertex, a, {end}, Offset_kind::CAP);
-    add_segments(vertex, a, {last_ + on, end + on, end}, Offset_kind::CAP);
+    if (options_.cap == Offset::Cap::BUTT) return add_segments(vertex, a, {end}, Offset::Kind::CAP);
+    add_segments(vertex, a, {last_ + on, end + on, end}, Offset::Kind::CAP);
   }
 
   static constexpr double HALF_CIRCLE = 3.1415926535897932;
   const Source_arcs& sources_;
-  const Offset_options& options_;
+  const Offset::Options& options_;
   bool is_round_;
   double least_snap_, snap_, d_ = 0;
   bool is_band_ = false, is_active_ = false, is_whole_ = false;

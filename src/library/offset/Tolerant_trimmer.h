@@ -153,7 +153,7 @@ template <class Covers> class Tolerant_trimmer {
   /// \param room what rounding may move points by, at most a 64th of the reach
   /// \param side of parts that lie on each other those on that one are taken, where there are some
   Tolerant_trimmer(const Raw_offset& raw, const Covers& covers, double room, double reach,
-                   Offset_side side = Offset_side::BOTH)
+                   Offset::Side side = Offset::Side::BOTH)
       : raw_(raw), covers_(covers), room_(room), reach_(reach), aside_(reach / 8), side_(side), knots_(reach) {}
 
   /// \return whether boundary parts make loops
@@ -359,7 +359,7 @@ template <class Covers> class Tolerant_trimmer {
   const Raw_offset& raw_;
   const Covers& covers_;
   double room_, reach_, aside_, thickness_ = 0;
-  Offset_side side_;
+  Offset::Side side_;
   bool leaves_out_ = false;
   Knots knots_;
   std::vector<Part> bundles_, boundary_;

@@ -34,7 +34,7 @@ class Short_pieces {
 
   double leave_out() {
     double moved = 0;
-    for (Offset_chain& chain : offset_.chains) {
+    for (Offset::Chain& chain : offset_.chains) {
       const double length = least_length(chain);
       if (length == 0) continue;
       if (links_.empty()) link();
@@ -58,9 +58,9 @@ class Short_pieces {
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
 
   // 0 where no piece is shorter. What runs round a thin region is not moved by so much of eps.
-  [[nodiscard]] double least_length(const Offset_chain& chain) const {
+  [[nodiscard]] double least_length(const Offset::Chain& chain) const {
     const double length = SHORT_OF_EPS * eps_;
-    const auto is_short = [&](const Offset_piece& p) {
+    const auto is_short = [&](const Offset::Piece& p) {
       const Xy<double> chord = p.arc.to - p.arc.from;
       return dot(chord, chord) < length * length;
     };
@@ -71,7 +71,7 @@ class Short_pieces {
   }
 
   void link() {
-    for (const Offset_chain& chain : offset_.chains) {
+    for (const Offset::Chain& chain : offset_.chains) {
       const auto begin = static_cast<std::uint32_t>(links_.size());
       begins_.push_back(begin);
       links_.resize(begin + chain.pieces.size());
@@ -84,16 +84,16 @@ class Short_pieces {
     blocks_.drop_boxes_of_arcs();
   }
 
-  void link(const Offset_chain& chain, std::uint32_t begin) {
+  void link(const Offset::Chain& chain, std::uint32_t begin) {
     const auto end = begin + static_cast<std::uint32_t>(chain.pieces.size());
     for (std::uint32_t i = begin; i < end; ++i) links_[i] = {chain.pieces[i - begin].arc, i - 1, i + 1, 0, false};
     links_[begin].before = chain.is_closed ? end - 1 : NONE;
     links_[end - 1].behind = chain.is_closed ? begin : NONE;
   }
 
-  double leave_out_of(Offset_chain& chain, double least) {
+  double leave_out_of(Offset::Chain& chain, double least) {
     const std::uint32_t begin = begins_[static_cast<std::size_t>(&chain - offset_.chains.data())];
-    std::vector<Offset_piece>& pieces = chain.pieces;
+    std::vector<Offset::Piece>& pieces = chain.pieces;
     std::size_t count = pieces.size();
     double moved = 0;
     for (std::uint32_t i = 0; i < pieces.size() && count > (chain.is_closed ? 2U : 1U); ++i) {
@@ -105,7 +105,7 @@ class Short_pieces {
       --count;
     }
     if (count == pieces.size()) return 0;
-    std::vector<Offset_piece> left;
+    std::vector<Offset::Piece> left;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       if (links_[begin + i].is_left_out) continue;
       left.push_back(pieces[i]);
@@ -124,7 +124,7 @@ class Short_pieces {
   }
 
   // The neighbour that is moved less, led on.
-  [[nodiscard]] std::optional<Led_on> best(std::uint32_t i, const std::vector<Offset_piece>& pieces,
+  [[nodiscard]] std::optional<Led_on> best(std::uint32_t i, const std::vector<Offset::Piece>& pieces,
                                            std::uint32_t begin) const {
     std::optional<Led_on> result;
     const Link& s = links_[i];

@@ -12,7 +12,6 @@
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -25,10 +24,10 @@
 
 namespace CGAL::Bounding_arcs {
 
-Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps, const Offset_options& options) {
+Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps, const Offset::Options& options) {
   if (!(std::fabs(d) > eps))
     throw std::invalid_argument(expected("distance", "a number above eps, " + text_of(eps), d));
-  if (options.join != Offset_join::ROUND || options.cap != Offset_cap::ROUND || options.side != Offset_side::BOTH)
+  if (options.join != Offset::Join::ROUND || options.cap != Offset::Cap::ROUND || options.side != Offset::Side::BOTH)
     throw std::invalid_argument(
         expected("options", "round joins and caps, and both sides", "another join, cap or side"));
   const auto& curves = tree.drawing().curves();
@@ -41,11 +40,11 @@ Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double 
 
 Offset sleeve(const Arc_region_2& region, double d, double eps) {
   check_above_zero("distance", d);
-  Offset_chain boundary;
+  Offset::Chain boundary;
   const auto add = [&](const Xy<double>& from, const Xy<double>& to, double bulge) {
-    if (from != to) boundary.pieces.push_back({{from, to, bulge}, {}, 1, Offset_kind::CURVE, true, 0});
+    if (from != to) boundary.pieces.push_back({{from, to, bulge}, {}, 1, Offset::Kind::CURVE, true, 0});
   };
-  const Arc_side_2 &inner = region.inner, &outer = region.outer;
+  const Arc_region_2::Side &inner = region.inner, &outer = region.outer;
   add(region.from, inner.size == 1 ? region.to : inner.joint, inner.bulges[0]);
   if (inner.size == 2) add(inner.joint, region.to, inner.bulges[1]);
   if (outer.size == 2) add(region.to, outer.joint, -outer.bulges[1]);
@@ -58,12 +57,12 @@ Bezier_curve_2<double> quadratic_of(const Arc_2& arc) { return arc_beziers(arc.f
 
 Drawing_2<double> drawing_of(const Offset& offset) {
   Drawing_2<double> drawing;
-  for (const Offset_chain& chain : offset.chains) {
+  for (const Offset::Chain& chain : offset.chains) {
     std::vector<Bezier_curve_2<double>> beziers;
     const auto finish = [&] {
       if (!beziers.empty()) drawing.add(std::exchange(beziers, {}));
     };
-    for (const Offset_piece& piece : chain.pieces) {
+    for (const Offset::Piece& piece : chain.pieces) {
       if (!piece.is_round) finish();
       else
         for (Bezier_curve_2<double>& part : arc_beziers(piece.arc.from, piece.arc.to, piece.arc.bulge))
@@ -74,17 +73,17 @@ Drawing_2<double> drawing_of(const Offset& offset) {
   return drawing;
 }
 
-std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
+std::optional<Offset::Error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
   const Bounding_arc_tree_2 chains(drawing_of(offset), Decisions::DOUBLE);
   const double d = std::fabs(offset.distance);
   const auto most = directed_hausdorff_distance(chains, curves, eps);
   if (!most) return std::nullopt;
   const auto least = distance(chains, curves, eps);
-  return Offset_error{{least->distance.lower - d, least->distance.upper - d},
-                      {most->distance.lower - d, most->distance.upper - d}};
+  return Offset::Error{{least->distance.lower - d, least->distance.upper - d},
+                       {most->distance.lower - d, most->distance.upper - d}};
 }
 
-std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps, const Offset_options& options) {
+std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps, const Offset::Options& options) {
   if (!(step > eps)) throw std::invalid_argument(expected("step", "a number above eps, " + text_of(eps), step));
   const CGAL::Bbox_2 box = tree.box();
   // bands, which points have, too, would never vanish
@@ -101,8 +100,8 @@ std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double 
 }
 
 Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
-                          const Offset_options& options) {
-  Offset_options of_chains = options;
+                          const Offset::Options& options) {
+  Offset::Options of_chains = options;
   of_chains.rule = Fill_rule::NONZERO;  // chains run as regions do
   Offset_twice result;
   result.first = offset(tree, first, eps / 2, options);
@@ -111,11 +110,11 @@ Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double 
   return result;
 }
 
-Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset_options& options) {
+Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset::Options& options) {
   return offset_twice(tree, -radius, radius, eps, options).second;
 }
 
-Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset_options& options) {
+Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset::Options& options) {
   return offset_twice(tree, radius, -radius, eps, options).second;
 }
 

@@ -19,20 +19,20 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-[[nodiscard]] inline Offset_piece reversed(const Offset_piece& piece) {
-  Offset_piece result = piece;
+[[nodiscard]] inline Offset::Piece reversed(const Offset::Piece& piece) {
+  Offset::Piece result = piece;
   result.arc = reversed(piece.arc);
   std::swap(result.source.t, result.t_end);
-  result.source.bezier = bezier_of_end(piece);
+  result.source.bezier = piece.bezier_of_end();
   result.bezier_step = -piece.bezier_step;
   return result;
 }
-inline void reverse(std::vector<Offset_piece>& pieces) {
+inline void reverse(std::vector<Offset::Piece>& pieces) {
   std::reverse(pieces.begin(), pieces.end());
-  for (Offset_piece& p : pieces) p = reversed(p);
+  for (Offset::Piece& p : pieces) p = reversed(p);
 }
 
-[[nodiscard]] inline Offset_piece piece_of(const Raw_part& part, const Raw_offset& raw, const Source_arcs& sources) {
+[[nodiscard]] inline Offset::Piece piece_of(const Raw_part& part, const Raw_offset& raw, const Source_arcs& sources) {
   const Raw_edge& edge = raw.edges[part.edge];
   const Source_arc& s = sources.arcs[edge.source];
   const auto at = [&](double u) {
@@ -46,10 +46,10 @@ inline void reverse(std::vector<Offset_piece>& pieces) {
 struct Chain_size {
   double area = 0, length = 0;
 };
-[[nodiscard]] inline Chain_size size_of(const std::vector<Offset_piece>& pieces) {
+[[nodiscard]] inline Chain_size size_of(const std::vector<Offset::Piece>& pieces) {
   Chain_size size;
   const Xy<double> origin = pieces.front().arc.from;
-  for (const Offset_piece& p : pieces) {
+  for (const Offset::Piece& p : pieces) {
     size.area += cross(p.arc.from - origin, p.arc.to - origin) / 2 + area_of_cap(p.arc);
     size.length += euclidean_norm(p.arc.to - p.arc.from);
   }
@@ -57,7 +57,7 @@ struct Chain_size {
 }
 
 /// Sets the parents of closed chains that do not cross: of those around one the smallest.
-inline void nest(std::vector<Offset_chain>& chains, std::size_t first) {
+inline void nest(std::vector<Offset::Chain>& chains, std::size_t first) {
   Arc_rings rings;
   std::vector<std::size_t> chain_of;  // by ring
   const auto arcs_of = [&](std::size_t ring) {
@@ -75,7 +75,7 @@ inline void nest(std::vector<Offset_chain>& chains, std::size_t first) {
     return a != b ? a > b : i > j;
   };
   for (const std::size_t i : chain_of) {
-    Offset_chain& inner = chains[i];
+    Offset::Chain& inner = chains[i];
     const Xy<double> x = point(inner.pieces.front().arc, 0.5);
     rings.for_each_about(x, [&](std::size_t ring) {
       const std::size_t outer = chain_of[ring];
@@ -86,21 +86,21 @@ inline void nest(std::vector<Offset_chain>& chains, std::size_t first) {
 }
 
 /// Appends what of a loop is on one side of open curves: open chains, in the direction of their curves.
-inline void add_one_side(const Raw_loop& loop, const Raw_offset& raw, const Source_arcs& sources, Offset_side side,
-                         std::vector<Offset_chain>& chains) {
+inline void add_one_side(const Raw_loop& loop, const Raw_offset& raw, const Source_arcs& sources, Offset::Side side,
+                         std::vector<Offset::Chain>& chains) {
   const auto is_wanted = [&](const Raw_part& p) { return is_on_side(raw.edges[p.edge], side); };
   const std::size_t n = loop.size();
   std::size_t first = 0;  // behind one that is not wanted
   while (first < n && is_wanted(loop[(first + n - 1) % n])) ++first;
   const bool is_whole = first == n;
-  Offset_chain chain;
+  Offset::Chain chain;
   chain.is_closed = is_whole;
   const auto finish = [&] {
     if (chain.pieces.empty()) return;
-    if (side == Offset_side::RIGHT) reverse(chain.pieces);
+    if (side == Offset::Side::RIGHT) reverse(chain.pieces);
     if (is_whole) chain.area = size_of(chain.pieces).area;
     chain.is_ccw = chain.area > 0;
-    chains.push_back(std::exchange(chain, Offset_chain{{}, is_whole, false, 0, {}}));
+    chains.push_back(std::exchange(chain, Offset::Chain{{}, is_whole, false, 0, {}}));
   };
   for (std::size_t k = 0; k < n; ++k) {
     const Raw_part& p = loop[(first + k) % n];

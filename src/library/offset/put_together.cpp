@@ -57,22 +57,22 @@ constexpr double TURN_OF_HALF_A_CIRCLE = 3.1415926535897932;
 }
 // Pieces of one curve are alike that are of one kind, and a line is like what leads it on to a miter's tip or a cap's
 // corner.
-[[nodiscard]] bool are_alike(const Offset_piece& a, const Offset_piece& b) {
+[[nodiscard]] bool are_alike(const Offset::Piece& a, const Offset::Piece& b) {
   constexpr double STRAIGHT = 0x1p-40;  // bulges of what is straight are rounded
   const bool are_lines = std::fabs(a.arc.bulge) <= STRAIGHT && std::fabs(b.arc.bulge) <= STRAIGHT;
   const bool are_of_kind = a.kind == b.kind && a.is_round == b.is_round;
   return a.source.curve == b.source.curve &&
-         (are_of_kind || (are_lines && (a.kind == Offset_kind::CURVE) != (b.kind == Offset_kind::CURVE)));
+         (are_of_kind || (are_lines && (a.kind == Offset::Kind::CURVE) != (b.kind == Offset::Kind::CURVE)));
 }
-[[nodiscard]] bool goes_on(const Offset_piece& a, const Offset_piece& b, double width) {
+[[nodiscard]] bool goes_on(const Offset::Piece& a, const Offset::Piece& b, double width) {
   return are_alike(a, b) && goes_on(a.arc, b.arc, width);
 }
 
 // Some pieces in a row, by the length of the way along them.
 class Piece_stretch {
  public:
-  Piece_stretch(const Offset_piece* begin, const Offset_piece* end) : pieces_(begin, end), ways_{0} {
-    for (const Offset_piece& p : pieces_) {
+  Piece_stretch(const Offset::Piece* begin, const Offset::Piece* end) : pieces_(begin, end), ways_{0} {
+    for (const Offset::Piece& p : pieces_) {
       ways_.push_back(ways_.back() + length(p.arc));
       turn_ += 2 * half_turn(p.arc);
     }
@@ -86,16 +86,16 @@ class Piece_stretch {
 
   // The stretch as so many pieces, and how far points were moved. \return none where that is more than width
   struct Result {
-    std::vector<Offset_piece> pieces;
+    std::vector<Offset::Piece> pieces;
     double moved = 0;
   };
   [[nodiscard]] std::optional<Result> as_arcs(std::size_t count, double width, double room) const {
     Result result;
-    Offset_piece from = at(0, room);
+    Offset::Piece from = at(0, room);
     for (std::size_t i = 0; i < count; ++i) {
       const double low = share(i, count), high = share(i + 1, count);
-      const Offset_piece to = at(high, room);
-      Offset_piece piece = from;
+      const Offset::Piece to = at(high, room);
+      Offset::Piece piece = from;
       piece.arc = arc_between(from.arc.from, to.arc.from, at((low + high) / 2, 0).arc.from, count, room);
       set_end(piece, i + 1 < count ? to : pieces_.back(), i + 1 == count);
       const double moved = farthest(piece.arc, low, high);
@@ -110,27 +110,27 @@ class Piece_stretch {
 
  private:
   // A line that is led on is still that of its curve, but not all of it is at the distance.
-  void set_source(Offset_piece& piece) const {
-    const auto is_of_curve = [](const Offset_piece& p) { return p.kind == Offset_kind::CURVE; };
+  void set_source(Offset::Piece& piece) const {
+    const auto is_of_curve = [](const Offset::Piece& p) { return p.kind == Offset::Kind::CURVE; };
     const auto first = std::find_if(pieces_.begin(), pieces_.end(), is_of_curve);
     if (first == pieces_.end()) return;
-    const Offset_piece& last = *std::find_if(pieces_.rbegin(), pieces_.rend(), is_of_curve);
+    const Offset::Piece& last = *std::find_if(pieces_.rbegin(), pieces_.rend(), is_of_curve);
     piece.kind = first->kind;
     piece.source = first->source;
     set_end(piece, last, true);
-    const auto is_round = [](const Offset_piece& p) { return p.is_round; };
+    const auto is_round = [](const Offset::Piece& p) { return p.is_round; };
     piece.is_round = std::all_of(pieces_.begin(), pieces_.end(), is_round);
   }
   [[nodiscard]] double share(std::size_t i, std::size_t count) const {
     return i == count ? ways_.back() : ways_.back() * (static_cast<double>(i) / static_cast<double>(count));
   }
-  static void set_end(Offset_piece& piece, const Offset_piece& at, bool is_end) {
+  static void set_end(Offset::Piece& piece, const Offset::Piece& at, bool is_end) {
     piece.t_end = is_end ? at.t_end : at.source.t;
-    const std::uint32_t bezier = is_end ? bezier_of_end(at) : at.source.bezier;
+    const std::uint32_t bezier = is_end ? at.bezier_of_end() : at.source.bezier;
     piece.bezier_step = static_cast<std::int32_t>(bezier - piece.source.bezier);
   }
   // A piece that starts at a way along; at the end of one that is as near as rounding.
-  [[nodiscard]] Offset_piece at(double way, double room) const {
+  [[nodiscard]] Offset::Piece at(double way, double room) const {
     const auto behind = std::upper_bound(ways_.begin(), ways_.end() - 1, way);
     const auto i = static_cast<std::size_t>(behind - ways_.begin()) - (behind == ways_.begin() ? 0 : 1);
     if (way >= ways_.back() - room) return with_start(pieces_.back(), 1);
@@ -138,10 +138,10 @@ class Piece_stretch {
     if (i + 1 < pieces_.size() && ways_[i + 1] - way <= room) return with_start(pieces_[i + 1], 0);
     return with_start(pieces_[i], (way - ways_[i]) / (ways_[i + 1] - ways_[i]));
   }
-  [[nodiscard]] static Offset_piece with_start(Offset_piece piece, double share) {
+  [[nodiscard]] static Offset::Piece with_start(Offset::Piece piece, double share) {
     if (share == 0) return piece;
     piece.arc.from = share == 1 ? piece.arc.to : point(piece.arc, share);
-    if (share == 1) piece.source.bezier = bezier_of_end(piece);
+    if (share == 1) piece.source.bezier = piece.bezier_of_end();
     piece.source.t += share * (piece.t_end - piece.source.t);
     return piece;
   }
@@ -173,14 +173,14 @@ class Piece_stretch {
     return OF_PIECE * (most + ARC_DISTANCE_ERROR * (chord + most));
   }
 
-  std::vector<Offset_piece> pieces_;
+  std::vector<Offset::Piece> pieces_;
   std::vector<double> ways_;  // to their starts, and to the last one's end
   double turn_ = 0;
 };
 
 // Appends a stretch as few pieces, or its halves so.
-void append_few(const Offset_piece* begin, const Offset_piece* end, double width, double room,
-                std::vector<Offset_piece>& pieces, double& moved) {
+void append_few(const Offset::Piece* begin, const Offset::Piece* end, double width, double room,
+                std::vector<Offset::Piece>& pieces, double& moved) {
   const auto size = static_cast<std::size_t>(end - begin);
   if (size > 1) {
     const Piece_stretch stretch(begin, end);
@@ -192,7 +192,7 @@ void append_few(const Offset_piece* begin, const Offset_piece* end, double width
       return;
     }
     if (size > 2) {
-      const Offset_piece* middle = begin + size / 2;
+      const Offset::Piece* middle = begin + size / 2;
       append_few(begin, middle, width, room, pieces, moved);
       append_few(middle, end, width, room, pieces, moved);
       return;
@@ -209,20 +209,20 @@ struct Place_before {
 class Piece_joints {
  public:
   Piece_joints(const Offset& offset, double width) : width_(width) {
-    for (const Offset_chain& c : offset.chains)
+    for (const Offset::Chain& c : offset.chains)
       for (std::size_t i = c.is_closed ? 0 : 1; i < c.pieces.size(); ++i)
         if (goes_on(before(c, i), c.pieces[i], width)) places_.push_back(c.pieces[i].arc.from);
     if (places_.empty()) return;
     std::sort(places_.begin(), places_.end(), Place_before());
     count_.assign(places_.size(), 0);
-    for (const Offset_chain& c : offset.chains) {
-      for (const Offset_piece& p : c.pieces) count(p.arc.from);
+    for (const Offset::Chain& c : offset.chains) {
+      for (const Offset::Piece& p : c.pieces) count(p.arc.from);
       if (!c.is_closed) count(c.pieces.back().arc.to);
     }
   }
   [[nodiscard]] bool empty() const { return places_.empty(); }
   // Whether piece i goes on where the one before ends.
-  [[nodiscard]] bool has(const Offset_chain& chain, std::size_t i) const {
+  [[nodiscard]] bool has(const Offset::Chain& chain, std::size_t i) const {
     if (i == 0 && !chain.is_closed) return false;
     const Xy<double>& place = chain.pieces[i].arc.from;
     const auto found = std::lower_bound(places_.begin(), places_.end(), place, Place_before());
@@ -232,7 +232,7 @@ class Piece_joints {
   }
 
  private:
-  [[nodiscard]] static const Offset_piece& before(const Offset_chain& chain, std::size_t i) {
+  [[nodiscard]] static const Offset::Piece& before(const Offset::Chain& chain, std::size_t i) {
     return chain.pieces[i == 0 ? chain.pieces.size() - 1 : i - 1];
   }
   void count(const Xy<double>& place) {
@@ -246,11 +246,11 @@ class Piece_joints {
 };
 
 // A closed chain has two pieces or more, and runs as it did.
-bool may_become(const Offset_chain& chain, const std::vector<Offset_piece>& pieces) {
+bool may_become(const Offset::Chain& chain, const std::vector<Offset::Piece>& pieces) {
   return !chain.is_closed || (pieces.size() > 1 && (internal::size_of(pieces).area > 0) == chain.is_ccw);
 }
 
-double put_together(Offset_chain& chain, const Piece_joints& joints, double width, double room) {
+double put_together(Offset::Chain& chain, const Piece_joints& joints, double width, double room) {
   const std::size_t n = chain.pieces.size();
   std::vector<char> is_joint(n);
   std::size_t first = n, count = 0;  // where something else begins
@@ -264,7 +264,7 @@ double put_together(Offset_chain& chain, const Piece_joints& joints, double widt
     std::rotate(chain.pieces.begin(), chain.pieces.begin() + static_cast<std::ptrdiff_t>(first), chain.pieces.end());
     std::rotate(is_joint.begin(), is_joint.begin() + static_cast<std::ptrdiff_t>(first), is_joint.end());
   }
-  std::vector<Offset_piece> pieces;
+  std::vector<Offset::Piece> pieces;
   double moved = 0;
   for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
     for (end = begin + 1; end < n && is_joint[end];) ++end;
@@ -283,7 +283,7 @@ double put_together(Offset& offset, double most, double room) {
   const Piece_joints joints(offset, width);
   double moved = 0;
   if (joints.empty()) return moved;
-  for (Offset_chain& chain : offset.chains) moved = (std::max)(moved, put_together(chain, joints, width, room));
+  for (Offset::Chain& chain : offset.chains) moved = (std::max)(moved, put_together(chain, joints, width, room));
   return moved;
 }
 

@@ -71,10 +71,10 @@ enum class Lone_points { DROPPED, KEPT };
 }
 
 /// Returns what an overlay of united curves left open, by operands.
-[[nodiscard]] inline Undecided_meeting undecided_meeting(const Open_place& open, const United_curves& united) {
+[[nodiscard]] inline Overlay_2::Undecided undecided_meeting(const Open_place& open, const United_curves& united) {
   const auto of = [&](std::uint32_t bezier) {
     const Operand_bezier& at = united.beziers[bezier];
-    return Undecided_meeting::Of{at.operand, at.curve, at.bezier};
+    return Overlay_2::Undecided::Of{at.operand, at.curve, at.bezier};
   };
   return {united.unit.out(open.point), of(open.bezier_a), of(open.bezier_b)};
 }

@@ -114,7 +114,7 @@ class Overlay_writer {
     return static_cast<std::uint32_t>(
         overlay_.curves().curve_of_bezier(cut_.cuts()[cut_.cuts_by_vertex()[cut_.first_at(vertex)]].at.bezier));
   }
-  void set_vertex(Overlay_vertex& vertex, const Xy<double>& point, const Point_box& box) const {
+  void set_vertex(Overlay_2::Vertex& vertex, const Xy<double>& point, const Point_box& box) const {
     vertex.x = unit_.bounds_out(box.x);
     vertex.y = unit_.bounds_out(box.y);
     const Xy<double> at = unit_.out(point);
@@ -128,7 +128,7 @@ class Overlay_writer {
       const bool has_ends = edge.first != NO_NUMBER;
       if (!has_ends && add_lone_point(edge.curve)) continue;
       edges_[e] = static_cast<std::uint32_t>(result_.edges.size());
-      Overlay_edge& made = result_.edges.emplace_back();
+      Overlay_2::Edge& made = result_.edges.emplace_back();
       if (has_ends) {
         made.from = overlay_.vertex_at(e, true);
         made.to = overlay_.vertex_at(e, false);
@@ -142,18 +142,18 @@ class Overlay_writer {
   [[nodiscard]] bool add_lone_point(std::uint32_t curve) {
     const std::uint32_t bezier = overlay_.curves().number_of_bezier(curve, 0);
     if (!cut_.is_point(bezier)) return false;
-    Overlay_vertex& vertex = result_.vertices.emplace_back();
+    Overlay_2::Vertex& vertex = result_.vertices.emplace_back();
     const Xy<double>& point = overlay_.curves().bezier(bezier).control_points().front();
     set_vertex(vertex, point, box_at(overlay_.curves(), bezier, {0, 0}));
     vertex.face = faces_[overlay_.face_around(curve)];
     return true;
   }
-  [[nodiscard]] Overlay_source source(std::uint32_t e) const {
+  [[nodiscard]] Overlay_2::Source source(std::uint32_t e) const {
     const Cut_edge& edge = cut_.edges()[e];
     std::vector<Bezier_span> spans = cut_.spans_of(e);
     if (edge.is_against) std::reverse(spans.begin(), spans.end());
     const Operand_bezier& first = united_.beziers[spans.front().bezier];
-    Overlay_source source{
+    Overlay_2::Source source{
         first.operand, first.curve, overlay_.curves().drawing().curves()[edge.curve].is_closed, edge.is_against, {}};
     source.parts.reserve(spans.size());
     for (const Bezier_span& s : spans)
@@ -165,18 +165,18 @@ class Overlay_writer {
   void add_boundaries() {
     result_.faces.resize(faces_.size());
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-      Overlay_face& face = result_.faces[faces_[f]];
+      Overlay_2::Face& face = result_.faces[faces_[f]];
       face.is_bounded = f != 0;
       if (face.is_bounded) face.way_out = public_side(ways_out_[faces_[f]]);
       for (const std::uint32_t ring : overlay_.rings_of_face(f)) {
-        std::vector<Overlay_side> boundary;
+        std::vector<Overlay_2::Side> boundary;
         for (const Edge_side s : overlay_.sides_of_ring(ring))
           if (edges_[edge_of(s)] != NO_NUMBER) boundary.push_back(public_side(s));
         if (!boundary.empty()) face.boundaries.push_back(std::move(boundary));  // else it is that of a lone point
       }
     }
   }
-  [[nodiscard]] Overlay_side public_side(Edge_side s) const { return {edges_[edge_of(s)], is_reversed(s)}; }
+  [[nodiscard]] Overlay_2::Side public_side(Edge_side s) const { return {edges_[edge_of(s)], is_reversed(s)}; }
 
   const Overlay& overlay_;
   const Cut_curves& cut_;
@@ -188,13 +188,13 @@ class Overlay_writer {
 };
 
 [[nodiscard]] Overlay_2 overlay_of(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                   const Overlay_options& options) {
+                                   const Overlay_2::Options& options) {
   const United_curves united = united_curves(trees, Lone_points::KEPT);
   const Overlay overlay(*united.segments, {options.at_joints});
   if (overlay.open()) {
     Overlay_2 result;
     result.number_of_operands = trees.size();
-    result.status = Outline_status::UNDECIDED;
+    result.status = Overlay_2::Status::UNDECIDED;
     result.undecided = undecided_meeting(*overlay.open(), united);
     return result;
   }
@@ -207,7 +207,7 @@ class Overlay_writer {
 
 namespace CGAL::Bounding_arcs {
 
-Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_options& options) {
+Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2::Options& options) {
   return internal::overlay_of(trees, options);
 }
 

@@ -113,13 +113,13 @@ namespace CGAL::Bounding_arcs {
 Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
                          std::uint32_t face, double eps) {
   check_tolerance(eps);
-  const Overlay_face& of = overlay.faces.at(face);
+  const Overlay_2::Face& of = overlay.faces.at(face);
   if (!of.is_bounded) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));
   internal::Boundary_sum sum;
-  for (const std::vector<Overlay_side>& boundary : of.boundaries) {
-    for (const Overlay_side& side : boundary) {
-      const Overlay_source& along = overlay.edges[side.edge].sources.front();
-      const auto add = [&](const Overlay_part& part) {
+  for (const std::vector<Overlay_2::Side>& boundary : of.boundaries) {
+    for (const Overlay_2::Side& side : boundary) {
+      const Overlay_2::Source& along = overlay.edges[side.edge].sources.front();
+      const auto add = [&](const Overlay_2::Part& part) {
         const auto bezier = trees.at(along.operand)->exact_bezier(along.curve, part.bezier);
         sum.add(bezier, side.is_reversed ? part.to : part.from, side.is_reversed ? part.from : part.to);
       };

@@ -155,7 +155,7 @@ struct Root_multiplicities {
     if (count == 1) found.simple = found.simple * factor;
     if (count > 1) found.multiple = found.multiple * factor;
   }
-  const int variations = sign_variations(to_bernstein(inner, inner.degree())).most();
+  const int variations = internal::sign_variations(to_bernstein(inner, inner.degree())).most();
   if (variations > 1) return root_multiplicities(p);
   if (variations == 1) found.simple = found.simple * inner;
   return found;

@@ -217,7 +217,7 @@ class Unit_isolation {
     return p.degree() < 1 ? std::nullopt : isolate(to_bernstein(p, p.degree()), {Integer(0), 0});
   }
   std::optional<Cell> isolate(const Bernstein& b, const Cell& cell) {
-    const int variations = sign_variations(b).most();
+    const int variations = internal::sign_variations(b).most();
     if (variations == 0) return std::nullopt;
     if (variations == 1) {
       cells_.push_back(cell);

@@ -269,7 +269,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
 
  private:
   struct Found {
-    Drawing_point<> a, b;
+    Drawing_distance<>::End a, b;
   };
   [[nodiscard]] double allowed() const { return (std::max)(eps_, of_distance_ * upper_); }
 
@@ -387,7 +387,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     Closest_search search(*curves_[1 - own], end.point, upper_, limit_);
     search.look_at(other.piece, other.region);
     if (const auto r = search.result()) {
-      const Drawing_point<> at{end.point, curves_[own]->place_at(segment, end.t)}, found{r->point, r->place};
+      const Drawing_distance<>::End at{end.point, curves_[own]->place_at(segment, end.t)}, found{r->point, r->place};
       offer(r->distance.upper + error, own == 0 ? at : found, own == 0 ? found : at);
     }
     return search.lower() - error;
@@ -409,7 +409,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     leave_out(d.lower);
     return true;
   }
-  void offer(double upper, const Drawing_point<>& a, const Drawing_point<>& b) {
+  void offer(double upper, const Drawing_distance<>::End& a, const Drawing_distance<>::End& b) {
     if (found_ && !(upper < upper_)) return;
     upper_ = upper;
     found_ = {a, b};

@@ -190,7 +190,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (is_certain()) return true;
     Intersection_search whole(a_, b_);
     const Intersections_2<> rest = results_.open.empty() && results_.roots.empty() ? Intersections_2<>{} : whole.all();
-    for (const Intersection_2<>& p : rest.points)
+    for (const Intersections_2<>::Intersection& p : rest.points)
       if (p.kind != Intersection_kind::UNDECIDED) return true;
     if (!rest.overlaps.empty()) return true;
     return rest.points.empty() ? std::optional(false) : std::nullopt;
@@ -261,9 +261,9 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (!are_lines({a, b})) return false;
     const std::optional<Piece_intersections> common = line_intersections(a_.bezier(a), b_.bezier(b));
     if (!common) return false;
-    for (const Piece_intersection& p : common->points)
+    for (const Piece_intersections::Intersection& p : common->points)
       if (!is_self_ || !is_joint_of_neighbours({a, b}, p.a, p.b)) found_.points.push_back({{a, b}, p});
-    for (const Piece_overlap& o : common->overlaps) found_.overlaps.push_back({{a, b}, o});
+    for (const Piece_intersections::Overlap& o : common->overlaps) found_.overlaps.push_back({{a, b}, o});
     return true;
   }
   [[nodiscard]] bool is_joint_of_neighbours(const Pair& beziers, const Bracket& t, const Bracket& s) const {
@@ -377,8 +377,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     const Piece_intersections exact =
         is_own ? exact_self_intersections(a_.exact_bezier(beziers.first))
                : exact_intersections(a_.exact_bezier(beziers.first), b_.exact_bezier(beziers.second));
-    for (const Piece_intersection& p : exact.points) found_.points.push_back({beziers, p});
-    for (const Piece_overlap& o : exact.overlaps) found_.overlaps.push_back({beziers, o});
+    for (const Piece_intersections::Intersection& p : exact.points) found_.points.push_back({beziers, p});
+    for (const Piece_intersections::Overlap& o : exact.overlaps) found_.overlaps.push_back({beziers, o});
   }
 
   // Ranges that touch are one.

@@ -19,7 +19,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_WINDING_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_WINDING_SEARCH_H
 
-#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include "../tree/Segment_hierarchy.h"
 #include "exact_intersections.h"
@@ -119,7 +119,7 @@ class Winding_search {
         height > (std::max)(0.0, apex) + fat.radius + room || height < (std::min)(0.0, apex) - fat.radius - room;
     if (is_off_strip) return of_chord;
     const double d = signed_distance(q_, fat.arc);
-    if (!(std::fabs(d) > distance_room(std::fabs(d), length, fat.radius + error_))) return std::nullopt;
+    if (!(std::fabs(d) > internal::distance_room(std::fabs(d), length, fat.radius + error_))) return std::nullopt;
     // the arc is on the other side of the chord than its center, to the right for a left turn
     const int turn = fat.arc.bulge > 0 ? 1 : -1;
     const bool is_between = fat.arc.bulge != 0 && side == -turn && (d > 0) == (turn > 0);

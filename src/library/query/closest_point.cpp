@@ -2,13 +2,12 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of query/closest_point.h and query/closest_points.h.
+// Bodies of query/closest_point.h.
 
 #include "query_units.h"
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Closest_search.h"
 #include "Foot.h"

@@ -2,10 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of query/distance.h and query/hausdorff_distance.h.
+// Bodies of query/distance.h.
 
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Distance_search.h"
 #include "Hausdorff_search.h"

@@ -132,8 +132,8 @@ static void sort(Piece_intersections& found) {
 
 /// What it is for the pieces in the other order; an overlap along which the other piece falls is run through backwards.
 [[nodiscard]] static Piece_intersections exchanged(Piece_intersections found) {
-  for (Piece_intersection& p : found.points) std::swap(p.a, p.b);
-  for (Piece_overlap& o : found.overlaps) {
+  for (Piece_intersections::Intersection& p : found.points) std::swap(p.a, p.b);
+  for (Piece_intersections::Overlap& o : found.overlaps) {
     o = {o.b_from, o.b_to, o.a_from, o.a_to};
     if (order_of(o.a_to, o.a_to) < order_of(o.a_from, o.a_from)) o = {o.a_to, o.a_from, o.b_to, o.b_from};
   }
@@ -221,7 +221,8 @@ class Zero_set {
   Piece_intersections r;
   const Bracket zero{0, 0}, one{1, 1};
   const auto add = [&](const Bracket& from, const Bracket& to) {
-    r.overlaps.push_back(is_first ? Piece_overlap{zero, one, from, to} : Piece_overlap{from, to, zero, one});
+    r.overlaps.push_back(is_first ? Piece_intersections::Overlap{zero, one, from, to}
+                                  : Piece_intersections::Overlap{from, to, zero, one});
   };
   if (a.is_point() && moved(a.x, a.w, p.x).is_zero() && moved(a.y, a.w, p.y).is_zero()) add(zero, one);
   for (Real_root& t : exact_roots_at(a, p)) add(t.range(), t.range());

@@ -94,7 +94,8 @@ struct Exact_zero {
 
 /// The crossing of two line segments. \pre they cross between their ends
 /// \guarantee exact
-[[nodiscard]] Piece_intersection line_crossing(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
+[[nodiscard]] Piece_intersections::Intersection line_crossing(const Bezier_curve_2<double>& a,
+                                                              const Bezier_curve_2<double>& b);
 
 // How a piece of a Bezier curve crosses the ray from a point to the right, in exact arithmetic.
 //

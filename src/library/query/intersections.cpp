@@ -104,7 +104,8 @@ std::optional<Piece_intersections> line_intersections(const Bezier_curve_2<doubl
   return result;
 }
 
-Piece_intersection line_crossing(const Bezier_curve_2<double>& first, const Bezier_curve_2<double>& second) {
+Piece_intersections::Intersection line_crossing(const Bezier_curve_2<double>& first,
+                                                const Bezier_curve_2<double>& second) {
   using Point = Xy<Exact_rational>;
   const auto exact = [](const Xy<double>& v) { return Point{Exact_rational(v.x), Exact_rational(v.y)}; };
   const auto &p = first.control_points(), &q = second.control_points();

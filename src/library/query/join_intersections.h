@@ -27,12 +27,12 @@ namespace CGAL::Bounding_arcs {
 /// A common point of two Bezier pieces.
 struct Numbered_point {
   std::pair<std::uint32_t, std::uint32_t> beziers;  // numbered through the drawing
-  Piece_intersection common;
+  Piece_intersections::Intersection common;
 };
 /// A part along which two Bezier pieces run together.
 struct Numbered_overlap {
   std::pair<std::uint32_t, std::uint32_t> beziers;
-  Piece_overlap common;
+  Piece_intersections::Overlap common;
 };
 /// All that drawings have in common.
 struct Numbered_intersections {

@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of query/piece_pair_intersections.h.
+// Common points of two Bezier pieces (query/intersections.h). The plain algorithm is exact_intersections. Before it
+// stands a search in doubles over control polygons; where it leaves anything open, it is forgotten.
 
 #include "Newton_box.h"
 #include "exact_intersections.h"
@@ -10,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include "../curve/exact_bezier.h"
 
 #include <boost/container/small_vector.hpp>
@@ -273,22 +274,23 @@ template <std::size_t MOST>
   }
   if (is_open) return std::nullopt;
   if (result.points.size() > 1)
-    std::sort(result.points.begin(), result.points.end(), [](const Piece_intersection& p, const Piece_intersection& q) {
-      return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
-    });
+    std::sort(result.points.begin(), result.points.end(),
+              [](const Piece_intersections::Intersection& p, const Piece_intersections::Intersection& q) {
+                return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
+              });
   return result;
 }
 
 }  // namespace internal
 
-std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2<double>& a,
-                                                            const Bezier_curve_2<double>& b) {
+std::optional<Piece_intersections> internal::intersections_by_doubles(const Bezier_curve_2<double>& a,
+                                                                      const Bezier_curve_2<double>& b) {
   check_served(a);
   check_served(b);
   const Unit unit = Unit::of_size((std::max)(coordinate_size(a), coordinate_size(b)));
-  if (!is_ordinary(unit, a) || !is_ordinary(unit, b)) {
-    if (!keeps(unit, a) || !keeps(unit, b)) return std::nullopt;
-    return intersections_by_doubles(scaled(a, unit), scaled(b, unit));
+  if (!internal::is_ordinary(unit, a) || !internal::is_ordinary(unit, b)) {
+    if (!internal::keeps(unit, a) || !internal::keeps(unit, b)) return std::nullopt;
+    return internal::intersections_by_doubles(internal::scaled(a, unit), internal::scaled(b, unit));
   }
   constexpr std::size_t CUBIC = 3, HIGH = 9;
   const int degree = (std::max)(a.degree(), b.degree());
@@ -298,7 +300,7 @@ std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2
 }
 
 Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
-  if (std::optional<Piece_intersections> found = intersections_by_doubles(a, b)) return *std::move(found);
+  if (std::optional<Piece_intersections> found = internal::intersections_by_doubles(a, b)) return *std::move(found);
   return exact_intersections(exact_bezier(a), exact_bezier(b));
 }
 

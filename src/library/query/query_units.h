@@ -26,9 +26,10 @@ namespace CGAL::Bounding_arcs {
 /// \throws std::invalid_argument for a point that the unit does not serve: farther away than all curves by 2^500 of
 ///   them, or with a coordinate that is lost beside theirs
 [[nodiscard]] inline Xy<double> point_in(const Unit& unit, const Xy<double>& q) {
-  check_point(q);
+  internal::check_point(q);
   const Xy<double> p = unit.in(q);
-  if (!is_queried(p)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 times the drawing's", q));
+  if (!internal::is_queried(p))
+    throw std::invalid_argument(expected("point", "coordinates up to 2^500 times the drawing's", q));
   if (!unit.keeps(q))
     throw std::invalid_argument(expected("point", "coordinates that are not lost beside the drawing's", q));
   return p;
@@ -45,7 +46,7 @@ namespace CGAL::Bounding_arcs {
   return {unit.bounds_out(p.distance), unit.out(p.point), p.place, p.status};
 }
 /// Returns a point of a drawing in its own lengths.
-[[nodiscard]] inline Drawing_point<> out(const Unit& unit, const Drawing_point<>& p) {
+[[nodiscard]] inline Drawing_distance<>::End out(const Unit& unit, const Drawing_distance<>::End& p) {
   return {unit.out(p.point), p.place};
 }
 /// Returns a distance in the drawings' own lengths.
@@ -55,7 +56,7 @@ namespace CGAL::Bounding_arcs {
 
 /// Returns common points in the drawings' own lengths.
 [[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
-  for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
+  for (Intersections_2<>::Intersection& i : found.points) i.point = unit.out(i.point);
   return found;
 }
 

@@ -13,7 +13,7 @@ namespace CGAL::Bounding_arcs {
 std::ostream& operator<<(std::ostream& out, const Arc_region_2& region) {
   Arc_text text(out);
   text << region.from;
-  for (const Arc_side_2* side : {&region.inner, &region.outer}) {
+  for (const Arc_region_2::Side* side : {&region.inner, &region.outer}) {
     text.open("[") << side->bulges[0];
     if (side->size == 2) text << side->joint << side->bulges[1];
     text.mark("]");

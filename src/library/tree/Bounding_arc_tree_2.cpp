@@ -4,7 +4,6 @@
 //
 // Bodies of Bounding_arc_tree_2.h.
 
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
@@ -34,7 +33,7 @@ static void check_curves(const Drawing_2<double>& drawing, double largest) {
 Bounding_arc_tree_2::Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions) {
   check_curves(*drawing, LARGEST_QUERIED);
   unit_ = Unit::of_size(coordinate_size(*drawing));
-  if (is_ordinary(unit_, *drawing)) {
+  if (internal::is_ordinary(unit_, *drawing)) {
     segments_ = std::make_shared<Segment_hierarchy>(std::move(drawing), decisions);
     return;
   }
@@ -45,7 +44,7 @@ Bounding_arc_tree_2::Bounding_arc_tree_2(const Drawing_2<Exact_rational>& drawin
   Drawing_2<double> rounded = converted<double>(drawing);
   check_curves(rounded, LARGEST_SHAPE);
   unit_ = Unit::of_size(coordinate_size(rounded));
-  if (!is_ordinary(unit_, rounded)) given_ = std::make_shared<const Drawing_2<double>>(std::move(rounded));
+  if (!internal::is_ordinary(unit_, rounded)) given_ = std::make_shared<const Drawing_2<double>>(std::move(rounded));
   segments_ = given_ ? made_in(unit_, &drawing, decisions) : std::make_shared<Segment_hierarchy>(drawing, decisions);
 }
 
@@ -54,15 +53,16 @@ std::shared_ptr<Segment_hierarchy> Bounding_arc_tree_2::made_in(const Unit& unit
                                                                 const Drawing_2<Exact_rational>* exact,
                                                                 Decisions decisions) const {
   const auto made = [&](const auto& drawing) { return std::make_shared<Segment_hierarchy>(drawing, decisions); };
-  if (exact != nullptr) return made(scaled(*exact, unit));
-  if (keeps(unit, drawing())) return made(std::make_shared<const Drawing_2<double>>(scaled(drawing(), unit)));
-  return made(scaled(converted<Exact_rational>(drawing()), unit));
+  if (exact != nullptr) return made(internal::scaled(*exact, unit));
+  if (internal::keeps(unit, drawing()))
+    return made(std::make_shared<const Drawing_2<double>>(internal::scaled(drawing(), unit)));
+  return made(internal::scaled(converted<Exact_rational>(drawing()), unit));
 }
 std::shared_ptr<const Segment_hierarchy> Bounding_arc_tree_2::in_unit(const Unit& unit) const {
   if (unit == unit_) return segments_;
   if (!segments_->is_rounded()) {
-    if (!keeps(unit, drawing())) return made_in(unit, nullptr, segments_->decisions());
-    auto in_other = std::make_shared<const Drawing_2<double>>(scaled(drawing(), unit));
+    if (!internal::keeps(unit, drawing())) return made_in(unit, nullptr, segments_->decisions());
+    auto in_other = std::make_shared<const Drawing_2<double>>(internal::scaled(drawing(), unit));
     return std::make_shared<const Segment_hierarchy>(std::move(in_other), *segments_);
   }
   const Drawing_2<Exact_rational> exact = exact_drawing();
@@ -104,7 +104,7 @@ void Bounding_arc_tree_2::replace(std::size_t first, std::size_t last, Drawing_2
     const CGAL::Bbox_2& b = all.boxes().box();
     return (std::max)({std::fabs(b.xmin()), std::fabs(b.xmax()), std::fabs(b.ymin()), std::fabs(b.ymax())});
   };
-  const bool is_cut_alone = !given_ && !segments_->is_rounded() && is_ordinary(Unit(), curves) &&
+  const bool is_cut_alone = !given_ && !segments_->is_rounded() && internal::is_ordinary(Unit(), curves) &&
                             last - first < count && Unit::of_size(coordinate_size(curves)).is_one();
   if (is_cut_alone) {
     auto changed = segments_.use_count() == 1 ? segments_ : std::make_shared<Segment_hierarchy>(*segments_);

@@ -41,12 +41,12 @@ void Piece_filter::look_ahead(const Spiral* first, std::size_t count, double eps
   state_->ahead.decide(state_->functions, first, count, eps, keeps_thickness);
 }
 
-std::optional<Subdivision> Piece_filter::subdivide(const Spiral& spiral, double eps, std::size_t limit,
-                                                   Region_nodes& nodes, Decision_counts& counts,
-                                                   const Open_piece& open) {
+std::optional<internal::Subdivision> Piece_filter::subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                             internal::Region_nodes& nodes, Decision_counts& counts,
+                                                             const Open_piece& open) {
   const Segment_top top = state_->ahead.top(spiral);
-  const Subdivision begun = state_->levels.begin(top, nodes, counts);
-  if (state_->levels.is_done()) return Subdivision{begun.bound, nodes.size() > limit};
+  const internal::Subdivision begun = state_->levels.begin(top, nodes, counts);
+  if (state_->levels.is_done()) return internal::Subdivision{begun.bound, nodes.size() > limit};
   Piece_decisions decide(open, state_->functions, spiral.local_curve());
   if (!decide.has_batches()) return std::nullopt;
   return state_->levels.finish(decide, top, eps, limit, nodes, counts);

@@ -57,7 +57,7 @@ class Plain_segment {
   void make_one(const Region_source& source, Region_columns& to, std::size_t j) const {
     const Arc_region_2 r =
         source.region(segment_, to.t[j], to.t[j + 1], {to.x[j], to.y[j]}, {to.x[j + 1], to.y[j + 1]});
-    const auto set_side = [&](const Arc_side_2& side, Side_columns& columns) {
+    const auto set_side = [&](const Arc_region_2::Side& side, Region_columns::Side& columns) {
       columns.bulge[j] = side.bulges[0];
       if (!source.has_joints) return;
       const Xy<double> joint = side.size == 2 ? side.joint : r.to;
@@ -87,7 +87,7 @@ template <class Arcs> class Batch_segment {
 
   double make(const Region_source& source, Region_columns& to, std::size_t row, std::size_t count) const {
     if (!filter_.serves()) return plain_.make(source, to, row, count);
-    const auto places = [row](Side_columns& c) {
+    const auto places = [row](Region_columns::Side& c) {
       if constexpr (!filter::HAS_JOINTS<Arcs>) return filter::Side_places{&c.bulge[row], nullptr, nullptr, nullptr};
       else return filter::Side_places{&c.bulge[row], &c.joint_x[row], &c.joint_y[row], &c.second_bulge[row]};
     };

@@ -66,7 +66,7 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact, const Segm
         roundings_.push_back(rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
       }
       add_segments(curve.beziers[j], cut == nullptr ? spiral_parameters(curve.beziers[j]) : cut->cuts(bezier), bezier,
-                   bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)));
+                   internal::bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)));
     }
   }
 }
@@ -74,7 +74,7 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact, const Segm
 Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& parts) const {
   Segment_hierarchy result(*this);
   result.segments_.clear();
-  result.boxes_ = std::make_shared<Made_once<Box_tree>>();
+  result.boxes_ = std::make_shared<internal::Made_once<Box_tree>>();
   for (const Segment_part& part : parts) {
     const Segment& whole = segments_[part.piece.segment];
     Segment s = whole;
@@ -133,9 +133,10 @@ Segment_hierarchy Segment_hierarchy::of_pieces(const std::vector<std::uint32_t>&
     drawing.add(std::move(chain), drawing_->curves()[curve].name);
     result.first_bezier_.push_back(static_cast<std::uint32_t>(begin));
     for (std::size_t i = begin; i < end; ++i)
-      result.add_copies(*this, kept[i],
-                        bezier_place(drawing.curves().back(), static_cast<std::uint32_t>(drawing.curves().size() - 1),
-                                     static_cast<std::uint32_t>(i - begin)));
+      result.add_copies(
+          *this, kept[i],
+          internal::bezier_place(drawing.curves().back(), static_cast<std::uint32_t>(drawing.curves().size() - 1),
+                                 static_cast<std::uint32_t>(i - begin)));
   }
   result.drawing_ = std::make_shared<const Drawing_2<double>>(std::move(drawing));
   return result;
@@ -194,7 +195,7 @@ void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<d
   const bool is_refit = made_segments == to - from;
   constexpr int OWN = 2;  // pointers to it
   auto drawing = own_drawing_.use_count() == OWN ? own_drawing_ : std::make_shared<Drawing_2<double>>(*drawing_);
-  auto boxes = std::make_shared<Made_once<Box_tree>>();
+  auto boxes = std::make_shared<internal::Made_once<Box_tree>>();
   if (is_refit && boxes_.use_count() == 1) boxes = boxes_;
   else if (is_refit && has_boxes()) (void)(*boxes)([&] { return *boxes_->made(); });
   if (Box_tree* made_boxes = boxes->made()) made_boxes->find_parents();
@@ -293,7 +294,7 @@ bool Segment_hierarchy::may_turn_beside_end(const Segment& s, bool at_start) con
   if (length == 0) return false;
   constexpr double CERTAIN = 4, SHORT = 0x1p-40;  // times the error, and the size; that is for extreme weights alone
   const double t = at_start ? 0 : 1;
-  const Curve_jet jet = curve(t);
+  const internal::Curve_jet jet = curve(t);
   if (length <= SHORT * curve.coordinate_size() &&
       !(euclidean_norm(jet.first) >= CERTAIN * curve.errors_at(t, jet).first))
     return true;
@@ -378,7 +379,7 @@ void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
   const Bezier_evaluator& curve = evaluators_[whole.bezier];
   // at most the length of a sliver, by the speed at its end
   const auto way_at = [&](double t) {
-    const Curve_jet jet = curve(t);
+    const internal::Curve_jet jet = curve(t);
     const double speed = euclidean_norm(jet.first) + curve.errors_at(t, jet).first + WIDTH * curve.second_bound();
     return (std::min)(cut_error, WIDTH * speed * (1 + 0x1p-40));
   };

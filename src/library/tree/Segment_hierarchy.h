@@ -163,7 +163,7 @@ class Segment_hierarchy {
   [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
     const Segment& s = at(segment);
     const std::uint32_t bezier = bezier_of(segment);
-    const Curve_jet jet = evaluator(bezier)(t);
+    const internal::Curve_jet jet = evaluator(bezier)(t);
     if (!s.is_straight) return sample_of(bezier, t, jet);
     Spiral_sample sample = s.first;  // derivatives have no direction where a line turns back
     sample.t = t;
@@ -185,7 +185,7 @@ class Segment_hierarchy {
     return (*boxes_)([this] { return Box_tree(number_of_segments(), [this](std::size_t i) { return box_at(i); }); });
   }
   /// Drops the boxes until boxes() is called again: boxes of a large drawing take much memory.
-  void drop_boxes() { boxes_ = std::make_shared<Made_once<Box_tree>>(); }
+  void drop_boxes() { boxes_ = std::make_shared<internal::Made_once<Box_tree>>(); }
   /// Whether the boxes are made.
   [[nodiscard]] bool has_boxes() const { return boxes_->made() != nullptr; }
 
@@ -224,7 +224,7 @@ class Segment_hierarchy {
   }
   void add_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::uint32_t bezier,
                     const Segment_place& place);
-  [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
+  [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   void add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place);
   [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_sample& first, const Spiral_sample& last, double e) {
@@ -251,16 +251,17 @@ class Segment_hierarchy {
   std::map<std::uint32_t, Spiral_parameters> coarse_cuts_;  // of pieces whose segments have others, too
   std::vector<Member> members_;  // of a forest, which has no segments and evaluators of its own
   std::vector<std::uint32_t> member_of_bezier_, member_of_segment_;
-  std::shared_ptr<Made_once<Box_tree>> boxes_ = std::make_shared<Made_once<Box_tree>>();
+  std::shared_ptr<internal::Made_once<Box_tree>> boxes_ = std::make_shared<internal::Made_once<Box_tree>>();
 };
 
-inline Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const {
+inline Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t,
+                                                  const internal::Curve_jet& jet) const {
   const Bezier_evaluator& curve = evaluator(bezier);
   const double speed = euclidean_norm(jet.first);
   Spiral_sample s;
   s.t = t;
   s.point = jet.point;
-  const Jet_errors errors = curve.errors_at(t, jet);
+  const internal::Jet_errors errors = curve.errors_at(t, jet);
   const double error = errors.first + curve.first_change(rounding(bezier), errors.first);
   constexpr double CERTAIN = 4;  // times its error: a direction within a quarter
   if (!(speed >= CERTAIN * error)) {
@@ -306,7 +307,7 @@ template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
     const Segment_hierarchy& segments, const Drawing_2<NT>& drawing, std::size_t first = 0,
     std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
-  return spirals_between(drawing, first, last, [&](std::size_t curve, std::size_t bezier) {
+  return internal::spirals_between(drawing, first, last, [&](std::size_t curve, std::size_t bezier) {
     return segments.cuts(segments.number_of_bezier(curve, bezier));
   });
 }

@@ -27,7 +27,7 @@ namespace CGAL::Bounding_arcs::verify {
 class Axis_checker {
  public:
   /// Curves and axis have a size near 1.
-  Axis_checker(const Drawing_2<double>& curves, const Medial_axis_2& axis, const Axis_check_options& options)
+  Axis_checker(const Drawing_2<double>& curves, const Medial_axis_2& axis, const Axis_verification::Options& options)
       : curves_(curves), axis_(axis), options_(options), sides_(sides_of_curves(curves, options)),
         boxes_(with_a_side(curves, sides_)), size_(coordinate_size(curves)),
         moved_(axis.moved > 0 ? (std::min)(axis.moved, MOST * size_) : 0), room_(MOST * size_ + moved_) {}
@@ -43,7 +43,7 @@ class Axis_checker {
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) add_cells(i);
     result_.tiles = 2 * cells_.size();
     for (const Line& line : cells_)
-      if (!are_in_order(line.cells, 0)) find(Axis_fault::CELL, sample_name(line.edge, line.sample));
+      if (!are_in_order(line.cells, 0)) find(Axis_verification::Fault::CELL, sample_name(line.edge, line.sample));
     match_feet();
     check_sides();
     check_gaps();
@@ -61,7 +61,7 @@ class Axis_checker {
   static std::string sample_name(std::size_t edge, std::size_t sample) {
     return "edge " + std::to_string(edge) + ", sample " + std::to_string(sample);
   }
-  void find(Axis_fault fault, std::string place, double amount = 0) {
+  void find(Axis_verification::Fault fault, std::string place, double amount = 0) {
     constexpr std::size_t MOST = 100;
     if (++result_.faults <= MOST) result_.findings.push_back({fault, std::move(place), amount});
   }
@@ -79,19 +79,20 @@ class Axis_checker {
   }
   bool has_form() {
     for (std::size_t i = 0; i < axis_.vertices.size(); ++i) {
-      const Medial_vertex& v = axis_.vertices[i];
+      const Medial_axis_2::Vertex& v = axis_.vertices[i];
       const bool is_on_curves =
           std::all_of(v.touches.begin(), v.touches.end(), [&](const Curve_place& p) { return is_place(p); });
-      if (!is_disc(v.center, v.radius) || v.touches.empty() || !is_on_curves) find(Axis_fault::FORM, vertex_name(i));
+      if (!is_disc(v.center, v.radius) || v.touches.empty() || !is_on_curves)
+        find(Axis_verification::Fault::FORM, vertex_name(i));
     }
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
-      const Medial_edge& e = axis_.edges[i];
+      const Medial_axis_2::Edge& e = axis_.edges[i];
       if (e.samples.size() < 2 || e.from >= axis_.vertices.size() || e.to >= axis_.vertices.size())
-        find(Axis_fault::FORM, "edge " + std::to_string(i));
+        find(Axis_verification::Fault::FORM, "edge " + std::to_string(i));
       for (std::size_t k = 0; k < e.samples.size(); ++k) {
-        const Medial_sample& s = e.samples[k];
+        const Medial_axis_2::Sample& s = e.samples[k];
         if (!is_disc(s.center, s.radius) || !is_place(s.left) || !is_place(s.right))
-          find(Axis_fault::FORM, sample_name(i, k));
+          find(Axis_verification::Fault::FORM, sample_name(i, k));
       }
       result_.samples += e.samples.size();
     }
@@ -100,16 +101,16 @@ class Axis_checker {
 
   void check_ends() {
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
-      const Medial_edge& e = axis_.edges[i];
+      const Medial_axis_2::Edge& e = axis_.edges[i];
       check_end(e.samples.front(), axis_.vertices[e.from], sample_name(i, 0));
       check_end(e.samples.back(), axis_.vertices[e.to], sample_name(i, e.samples.size() - 1));
     }
   }
-  void check_end(const Medial_sample& s, const Medial_vertex& v, const std::string& place) {
-    if (s.center != v.center || s.radius != v.radius) find(Axis_fault::END, place);
+  void check_end(const Medial_axis_2::Sample& s, const Medial_axis_2::Vertex& v, const std::string& place) {
+    if (s.center != v.center || s.radius != v.radius) find(Axis_verification::Fault::END, place);
     for (const Curve_place& foot : {s.left, s.right}) {
       const auto is_foot = [&](const Curve_place& p) { return distance(point(p), point(foot)) <= room_; };
-      if (std::none_of(v.touches.begin(), v.touches.end(), is_foot)) find(Axis_fault::END, place);
+      if (std::none_of(v.touches.begin(), v.touches.end(), is_foot)) find(Axis_verification::Fault::END, place);
     }
   }
   [[nodiscard]] Xy<double> point(const Curve_place& p) const { return middle_at(curves_, p); }
@@ -118,23 +119,23 @@ class Axis_checker {
   // Vertices less edges, and parts that hang together.
   void check_euler() {
     if (axis_.vertices.size() + axis_.holes != axis_.edges.size() + axis_.regions)
-      find(Axis_fault::EULER, "vertices, edges, regions and holes");
+      find(Axis_verification::Fault::EULER, "vertices, edges, regions and holes");
     boost::disjoint_sets_with_storage<> sets(axis_.vertices.size());
     std::size_t parts = axis_.vertices.size();
-    for (const Medial_edge& e : axis_.edges) {
+    for (const Medial_axis_2::Edge& e : axis_.edges) {
       const std::size_t a = sets.find_set(e.from), b = sets.find_set(e.to);
       if (a != b) sets.link(a, b), --parts;
     }
-    if (parts != axis_.regions) find(Axis_fault::EULER, "parts that hang together");
+    if (parts != axis_.regions) find(Axis_verification::Fault::EULER, "parts that hang together");
   }
 
   void check_vertices() {
     for (std::size_t i = 0; i < axis_.vertices.size(); ++i) {
-      const Medial_vertex& v = axis_.vertices[i];
+      const Medial_axis_2::Vertex& v = axis_.vertices[i];
       for (const Curve_place& p : v.touches) {
         const double miss = miss_of(point_at(piece(p), p.t), v.center, v.radius);
         result_.miss = (std::max)(result_.miss, miss);
-        if (miss > vertex_room()) find(Axis_fault::TOUCH, vertex_name(i), miss);
+        if (miss > vertex_room()) find(Axis_verification::Fault::TOUCH, vertex_name(i), miss);
       }
     }
   }
@@ -150,13 +151,13 @@ class Axis_checker {
     std::size_t edge, sample;
   };
   void add_cells(std::size_t edge) {
-    const std::vector<Medial_sample>& samples = axis_.edges[edge].samples;
+    const std::vector<Medial_axis_2::Sample>& samples = axis_.edges[edge].samples;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-      const Medial_sample &s = samples[i], &t = samples[i + 1];
+      const Medial_axis_2::Sample &s = samples[i], &t = samples[i + 1];
       const auto left = tile_between(curves_, t.left, s.left, t, s, room_),
                  right = tile_between(curves_, s.right, t.right, s, t, room_);
       if (!left || !right) {
-        find(Axis_fault::TILING, sample_name(edge, i));
+        find(Axis_verification::Fault::TILING, sample_name(edge, i));
         continue;
       }
       cells_.push_back({{*left, *right}, edge, i});
@@ -231,18 +232,19 @@ class Axis_checker {
   }
   // A foot a little beside the normal changes a cell by as much, and the disc by its square. At a joint a curve may
   // turn by less than what makes a corner.
-  void expect_foot(const Axis_tile& tile, const Curve_place& foot, const Medial_sample& s, const std::string& place) {
+  void expect_foot(const Axis_tile& tile, const Curve_place& foot, const Medial_axis_2::Sample& s,
+                   const std::string& place) {
     constexpr double LEAST_TURN = 0x1p-21;
     const Checked_point p = point_at(piece(foot), foot.t);
     const double miss = miss_of(p, s.center, s.radius);
     result_.miss = (std::max)(result_.miss, miss);
-    if (miss > room_) find(Axis_fault::FOOT, place, miss);
+    if (miss > room_) find(Axis_verification::Fault::FOOT, place, miss);
     const double speed = length(p.derivative).inf();
     if (tile.is_point || !(speed > 0)) return;
     const double aside = most_of(dot(checked(s.center) - p.point, p.derivative)) / speed;
     result_.aside = (std::max)(result_.aside, aside);
     const bool is_joint = foot.t == 0 || foot.t == 1;
-    if (aside > small() + (is_joint ? LEAST_TURN * s.radius : 0)) find(Axis_fault::FOOT, place, aside);
+    if (aside > small() + (is_joint ? LEAST_TURN * s.radius : 0)) find(Axis_verification::Fault::FOOT, place, aside);
   }
 
   template <class Visit> void for_each_tile(const Visit& visit) const {
@@ -272,14 +274,14 @@ class Axis_checker {
         s.end = feet.begins.back(), s.is_whole = true;
         feet.begins.pop_back();
       }
-      if (!feet.begins.empty()) find(Axis_fault::TILING, "foot at " + text_of(feet.begins.front()));
+      if (!feet.begins.empty()) find(Axis_verification::Fault::TILING, "foot at " + text_of(feet.begins.front()));
     }
   }
   // The boundary between the feet of a sector is an arc of its curve that is there in place of tiles.
   void check_sectors() {
     for (const Sector& s : sectors_)
       if (!s.is_whole || s.begin.curve != s.end.curve || touched_arcs_[s.begin.curve] == 0)
-        find(Axis_fault::TILING, "foot at " + text_of(s.begin));
+        find(Axis_verification::Fault::TILING, "foot at " + text_of(s.begin));
   }
   static std::string text_of(const Curve_place& p) {
     return "curve " + std::to_string(p.curve) + ", piece " + std::to_string(p.bezier) + ", t " + std::to_string(p.t);
@@ -306,11 +308,12 @@ class Axis_checker {
         const bool is_wanted = is_left ? has_left : has_right;
         rings += is_wanted ? 1 : 0;
         if (is_wanted) check_side(i, std::move(ranges));
-        else if (!ranges.empty()) find(Axis_fault::TILING, "a side without a region of curve " + std::to_string(i));
+        else if (!ranges.empty())
+          find(Axis_verification::Fault::TILING, "a side without a region of curve " + std::to_string(i));
       }
     }
     if (!options_.is_framed && rings != axis_.regions + axis_.holes)
-      find(Axis_fault::EULER, "sides of curves that bound a region");
+      find(Axis_verification::Fault::EULER, "sides of curves that bound a region");
   }
   void check_side(std::size_t curve, std::vector<Range> ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
@@ -341,7 +344,7 @@ class Axis_checker {
       result_.gap = (std::max)(result_.gap, gap);
       return;
     }
-    if (next < t) find(Axis_fault::TILING, text_of(at(t)), gap);
+    if (next < t) find(Axis_verification::Fault::TILING, text_of(at(t)), gap);
     else if (is_touched_arc(piece(at(t)), t, next)) ++touched_arcs_[curve];
     else gaps_.push_back({at(t), next, gap});
   }
@@ -359,7 +362,7 @@ class Axis_checker {
         const double t = gap.from.t + (gap.to - gap.from.t) * i / (count - 1);
         is_nothing = is_beside_another(point({gap.from.curve, gap.from.bezier, t}));
       }
-      if (!is_nothing) find(Axis_fault::TILING, text_of(gap.from), gap.length);
+      if (!is_nothing) find(Axis_verification::Fault::TILING, text_of(gap.from), gap.length);
     }
   }
   // By halving: such a part hardly turns. Where it does, another point is farther away.
@@ -382,7 +385,7 @@ class Axis_checker {
         if (miss_of(point_at(bezier, t0 + (t1 - t0) * i / (count - 1)), center, radius) > room_) return false;
       return true;
     };
-    for (const Medial_vertex& v : axis_.vertices)
+    for (const Medial_axis_2::Vertex& v : axis_.vertices)
       if (is_on(v.center, v.radius)) return true;
     return false;
   }
@@ -391,10 +394,10 @@ class Axis_checker {
     constexpr double SHARE = 1.0 / 32;  // of eps, as verify_axis tells
     ++result_.discs;
     const double depth = boxes_.depth_in(center, radius - (std::max)(room_, SHARE * axis_.eps));
-    if (depth > 0) find(Axis_fault::DISC, place, depth);
+    if (depth > 0) find(Axis_verification::Fault::DISC, place, depth);
   }
   void check_discs(std::size_t edge) {
-    const std::vector<Medial_sample>& samples = axis_.edges[edge].samples;
+    const std::vector<Medial_axis_2::Sample>& samples = axis_.edges[edge].samples;
     for (std::size_t i = 0; i < samples.size(); ++i)
       expect_empty(samples[i].center, samples[i].radius, sample_name(edge, i));
   }
@@ -406,7 +409,7 @@ class Axis_checker {
     const std::string place = sample_name(line.edge, line.sample);
     const double deviation = distance_from_line(*disc, *line.cells.right.first, *line.cells.right.last);
     result_.deviation = (std::max)(result_.deviation, deviation);
-    if (deviation > bound(line.edge) + room_) find(Axis_fault::BOUND, place, deviation);
+    if (deviation > bound(line.edge) + room_) find(Axis_verification::Fault::BOUND, place, deviation);
     expect_empty(disc->center, disc->radius, place + " and behind");
   }
   struct Sector {
@@ -416,7 +419,7 @@ class Axis_checker {
   };
   const Drawing_2<double>& curves_;
   const Medial_axis_2& axis_;
-  const Axis_check_options& options_;
+  const Axis_verification::Options& options_;
   std::vector<Curve_sides> sides_;
   Curves_in_boxes boxes_;                  // of what discs may touch
   static constexpr double MOST = 0x1p-40;  // of the size

@@ -248,7 +248,7 @@ template <class Is_in>
 /// The sides of each curve that discs touch from: in a frame both. Without one a curve with both sides filled bounds
 /// nothing.
 [[nodiscard]] inline std::vector<Curve_sides> sides_of_curves(const Drawing_2<double>& drawing,
-                                                              const Axis_check_options& options) {
+                                                              const Axis_verification::Options& options) {
   const Curves_in_boxes boxes(drawing);
   const CGAL::Protect_FPU_rounding<true> protection;
   const std::size_t count = drawing.curves().size();

@@ -29,8 +29,8 @@ namespace CGAL::Bounding_arcs::verify {
 
 struct Axis_tile {
   Curve_place begin, end;  ///< of one Bezier piece
-  const Medial_sample* first;
-  const Medial_sample* last;
+  const Medial_axis_2::Sample* first;
+  const Medial_axis_2::Sample* last;
   bool is_point;  ///< shorter than what counts as nothing
 };
 
@@ -57,8 +57,8 @@ struct Axis_tile {
 /// \param room lengths below are nothing
 /// \return nothing where they are on no common piece
 [[nodiscard]] inline std::optional<Axis_tile> tile_between(const Drawing_2<double>& curves, const Curve_place& begin,
-                                                           const Curve_place& end, const Medial_sample& first,
-                                                           const Medial_sample& last, double room) {
+                                                           const Curve_place& end, const Medial_axis_2::Sample& first,
+                                                           const Medial_axis_2::Sample& last, double room) {
   std::optional<Axis_tile> tile;
   if (begin.curve != end.curve) return tile;
   // a closed curve of few pieces has two ways: discs between touch one of them
@@ -111,8 +111,8 @@ struct Cells {
 };
 /// The disc that touches half way along one tile and anywhere on the other one. Halving: (q - p).(Tq - Tp) grows along
 /// q's tile. \param size of the drawing
-[[nodiscard]] inline std::optional<Medial_sample> disc_between(const Drawing_2<double>& curves, const Cells& cells,
-                                                               double size) {
+[[nodiscard]] inline std::optional<Medial_axis_2::Sample> disc_between(const Drawing_2<double>& curves,
+                                                                       const Cells& cells, double size) {
   const bool is_half_of_left = cells.right.is_point;
   const Axis_tile &tile = is_half_of_left ? cells.left : cells.right,
                   &other = is_half_of_left ? cells.right : cells.left;
@@ -140,10 +140,12 @@ struct Cells {
   if (!(far > LEAST * size) || !(height > 0)) return std::nullopt;
   const double radius = far * far / (2 * height);
   const Curve_place half = place_at(tile, 0.5), foot = place_at(other, other.is_point ? 0 : 0.5 * (low + high));
-  return Medial_sample{p.point + radius * normal, radius, is_half_of_left ? half : foot, is_half_of_left ? foot : half};
+  return Medial_axis_2::Sample{p.point + radius * normal, radius, is_half_of_left ? half : foot,
+                               is_half_of_left ? foot : half};
 }
 /// How far a disc is from the line between two others, centers and radii together.
-[[nodiscard]] inline double distance_from_line(const Medial_sample& d, const Medial_sample& s, const Medial_sample& t) {
+[[nodiscard]] inline double distance_from_line(const Medial_axis_2::Sample& d, const Medial_axis_2::Sample& s,
+                                               const Medial_axis_2::Sample& t) {
   const Xy<double> chord = t.center - s.center, way = d.center - s.center;
   const double square = dot(chord, chord), share = square > 0 ? std::clamp(dot(way, chord) / square, 0.0, 1.0) : 0;
   return stable_norm(way - share * chord) + std::fabs(s.radius + share * (t.radius - s.radius) - d.radius);

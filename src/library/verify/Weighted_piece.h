@@ -116,7 +116,7 @@ template <class NT> [[nodiscard]] Xy<NT> point_from(const internal::Proven_piece
   const Taylor_table<NT>& table = piece.table<NT>();
   Xy<NT> q = NT(1 / table.unit()) * (piece.first<NT>() - origin);
   if (piece.t0 == 0) return q;
-  const Relative_piece<NT> before = relative_piece(table, NT(0), NT(piece.t0));
+  const internal::Relative_piece<NT> before = internal::relative_piece(table, NT(0), NT(piece.t0));
   Xy<NT> chord;
   for (std::size_t k = 1; k < before.m.size(); ++k) chord = chord + before.m[k];
   if (!before.w.empty()) chord = NT(NT(1) / NT(before.w[0] * before.end_weight)) * chord;
@@ -126,7 +126,7 @@ template <class NT> [[nodiscard]] Xy<NT> point_from(const internal::Proven_piece
 /// \param start C(t0) minus the point that the piece is relative to, in units of the table
 template <class NT>
 [[nodiscard]] Weighted_piece<NT> weighted_piece(const internal::Proven_piece& proven, const Xy<NT>& start) {
-  const Relative_piece<NT> piece = relative_piece(proven.table<NT>(), NT(proven.t0), NT(proven.t1));
+  const internal::Relative_piece<NT> piece = internal::relative_piece(proven.table<NT>(), NT(proven.t0), NT(proven.t1));
   const std::size_t n = piece.m.size();
   std::vector<NT> x(n, NT(0)), y(n, NT(0)), weight(n, NT(0));
   for (std::size_t k = 1; k < n; ++k) {

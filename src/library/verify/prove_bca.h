@@ -114,11 +114,12 @@ struct Parameter_range {
   return frame_at_origin(convert_shape<Mpfr_interval>(shape, number));
 }
 
-[[nodiscard]] inline Containment_piece containment_piece(const Relative_piece<Rational>& piece,
+[[nodiscard]] inline Containment_piece containment_piece(const internal::Relative_piece<Rational>& piece,
                                                          const Chord_shape_2<Rational>& f) {
   std::vector<Rational> numbers(2);
   for (std::size_t k = 1; k < piece.m.size(); ++k) numbers.insert(numbers.end(), {piece.m[k].x, piece.m[k].y});
-  const Cleared_numbers<Integer> m = cleared(numbers), w = cleared<Rational>({piece.w.begin(), piece.w.end()});
+  const internal::Cleared_numbers<Integer> m = cleared(numbers),
+                                           w = cleared<Rational>({piece.w.begin(), piece.w.end()});
   std::vector<Integer> x, y;
   for (std::size_t k = 0; k < m.numbers.size(); k += 2) {
     x.push_back(m.numbers[k]);
@@ -145,7 +146,7 @@ struct Parameter_range {
   end.tangent = f.tangent1;
   for (End_view* v : {&start, &end}) {
     const Xy<Rational> normal = Rational(f.turn) * perp(v->tangent);
-    const Cleared_numbers<Integer> n = cleared<Rational>({normal.x, normal.y});
+    const internal::Cleared_numbers<Integer> n = cleared<Rational>({normal.x, normal.y});
     v->inward = {n.numbers[0], n.numbers[1]};
     v->stretch = n.denominator;
     v->bend = Integer(2) * v->weight * v->along(v->inward);
@@ -171,7 +172,7 @@ struct Parameter_range {
 /// The piece, straight by the shape's turn 0, lies on its chord when every vector is parallel to it and it leaves
 /// neither end.
 [[nodiscard]] inline Proof prove_on_chord(const Containment_piece& piece, const Parameter_range& range) {
-  const auto is_zero = [](const Integer_polynomial& p) { return sign_variations(p).first == 0; };
+  const auto is_zero = [](const Integer_polynomial& p) { return internal::sign_variations(p).first == 0; };
   if (!is_zero(piece.tight.along(perp(piece.chord)))) return Proof::DISPROVED;
   if (piece.chord == Xy<Integer>{} && !(is_zero(piece.tight.x) && is_zero(piece.tight.y))) return Proof::DISPROVED;
   const Proof ahead = prove_nonnegative_but_at_ends(piece.tight.along(piece.chord), range);

@@ -47,7 +47,7 @@ namespace CGAL::Bounding_arcs::verify {
                                             const Region_outline_2<Rational>& outline, const Parameter_range& range) {
   if (!is_closed(outline)) return Proof::DISPROVED;
   const Xy<Rational> tight_end = f.tight_first ? Xy<Rational>{} : f.chord;
-  for (const auto& [from, to] : edges_around(outline))
+  for (const auto& [from, to] : internal::edges_around(outline))
     if (const Proof proof = prove_left_of(piece, tight_end, from, to, range); proof != Proof::PROVEN) return proof;
   return Proof::PROVEN;
 }

@@ -42,7 +42,7 @@ struct Arranged {
   std::vector<std::size_t> degrees;                      // of vertices
   std::vector<std::optional<ba::Measure_bounds>> areas;  // of faces that are bounded
 
-  [[nodiscard]] const ba::Drawing_2<double>::Curve& curve_of(const ba::Overlay_source& source) const {
+  [[nodiscard]] const ba::Drawing_2<double>::Curve& curve_of(const ba::Overlay_2::Source& source) const {
     return files[source.operand].curves->drawing().curves()[source.curve];
   }
 };
@@ -62,12 +62,12 @@ Arranged arranged(const Arrange_words& words) {
     for (const auto& curve : curves.drawing().curves())
       for (const auto& piece : curve.beziers) box.add(piece);
   }
-  ba::Overlay_options options;
+  ba::Overlay_2::Options options;
   options.at_joints = true;
   const Elapsed_line elapsed("arranging");
   made.cells = ba::overlay(trees, options);
   made.degrees.resize(made.cells.vertices.size(), 0);
-  for (const ba::Overlay_edge& e : made.cells.edges)
+  for (const ba::Overlay_2::Edge& e : made.cells.edges)
     for (const std::uint32_t vertex : {*e.from, *e.to}) ++made.degrees[vertex];
   constexpr double OF_BOX = 1e-9;
   const double extent = (std::max)(box.x1 - box.x0, box.y1 - box.y0),
@@ -79,7 +79,7 @@ Arranged arranged(const Arrange_words& words) {
 }
 
 /// Pieces are cut where they join, so that an edge is a part of one.
-const ba::Overlay_part& part_of(const ba::Overlay_source& source) { return source.parts.front(); }
+const ba::Overlay_2::Part& part_of(const ba::Overlay_2::Source& source) { return source.parts.front(); }
 
 template <class List, class Record>
 void write_list(std::ostream& out, const char* name, const List& list, Record record) {
@@ -94,7 +94,7 @@ void write_list(std::ostream& out, const char* name, const List& list, Record re
 
 Json bracket_json(const ba::Bracket& b) { return {b.lower, b.upper}; }
 
-Json json_of_source(const Arranged& made, const ba::Overlay_source& source) {
+Json json_of_source(const Arranged& made, const ba::Overlay_2::Source& source) {
   const std::size_t number = made.files[source.operand].number_of(source.curve);
   Json json{{"file", source.operand}};
   json.update(source_json(part_of(source), number, made.curve_of(source).name));
@@ -104,13 +104,13 @@ Json json_of_source(const Arranged& made, const ba::Overlay_source& source) {
 void write_json(std::ostream& out, const Arranged& made) {
   out << "{";
   write_list(out, "vertices", made.cells.vertices, [&](std::size_t i) {
-    const ba::Overlay_vertex& v = made.cells.vertices[i];
+    const ba::Overlay_2::Vertex& v = made.cells.vertices[i];
     return Json{
         {"point", json_of(v.point)}, {"x", bracket_json(v.x)}, {"y", bracket_json(v.y)}, {"degree", made.degrees[i]}};
   });
   out << ",\n";
   write_list(out, "edges", made.cells.edges, [&](std::size_t i) {
-    const ba::Overlay_edge& e = made.cells.edges[i];
+    const ba::Overlay_2::Edge& e = made.cells.edges[i];
     Json edge{{"from", *e.from},
               {"to", *e.to},
               {"left", e.left},
@@ -125,7 +125,7 @@ void write_json(std::ostream& out, const Arranged& made) {
     if (made.areas[i]) face["area"] = {made.areas[i]->lower, made.areas[i]->upper};
     for (const auto& boundary : made.cells.faces[i].boundaries) {
       Json edges = Json::array();
-      for (const ba::Overlay_side& s : boundary) edges.push_back({{"edge", s.edge}, {"forwards", !s.is_reversed}});
+      for (const ba::Overlay_2::Side& s : boundary) edges.push_back({{"edge", s.edge}, {"forwards", !s.is_reversed}});
       face["boundaries"].push_back(std::move(edges));
     }
     return face;
@@ -142,8 +142,8 @@ std::string title_of(const Arranged& made) {
 }
 
 // The part of the curve that an edge is, for a path that goes on from its start.
-std::string edge_path(const View& view, const Arranged& made, const ba::Overlay_side& side) {
-  const ba::Overlay_source& source = made.cells.edges[side.edge].sources.front();
+std::string edge_path(const View& view, const Arranged& made, const ba::Overlay_2::Side& side) {
+  const ba::Overlay_2::Source& source = made.cells.edges[side.edge].sources.front();
   const double from = part_of(source).from.middle(), to = part_of(source).to.middle();
   if (!(from < to)) return {};
   const auto curve = made.curve_of(source).beziers[part_of(source).bezier].subcurve(from, to);
@@ -153,7 +153,7 @@ std::string edge_path(const View& view, const Arranged& made, const ba::Overlay_
 // A colour of each face that has an area.
 std::vector<const char*> colours(const Arranged& made) {
   std::vector<std::set<std::size_t>> neighbours(made.cells.faces.size());
-  for (const ba::Overlay_edge& e : made.cells.edges) {
+  for (const ba::Overlay_2::Edge& e : made.cells.edges) {
     if (e.left == e.right || !made.areas[e.left] || !made.areas[e.right]) continue;
     neighbours[e.left].insert(e.right);
     neighbours[e.right].insert(e.left);
@@ -191,7 +191,7 @@ void draw(std::ostream& out, const Arranged& made) {
     out << "<path class=\"f\" fill=\"" << colour[i] << "\" d=\"";
     for (const auto& boundary : made.cells.faces[i].boundaries) {
       bool is_first = true;
-      for (const ba::Overlay_side& side : boundary) {
+      for (const ba::Overlay_2::Side& side : boundary) {
         const std::string path = edge_path(sheet.view, made, side);
         if (path.empty()) continue;
         out << (is_first ? path : path.substr(path.find_first_of("LQCA")));

@@ -88,7 +88,7 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   if (!words.stream.is_on) elapsed.emplace(words.operation);
   const ba::Outline_2 outline =
       ba::boolean_operation(trees, OPERATIONS.at(words.operation), ba::Fill_rules(std::move(rules)));
-  if (outline.status == ba::Outline_status::UNDECIDED)
+  if (outline.status == ba::Outline_2::Status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
                       message_of_undecided(outline.undecided, drawings, words.kernel));
   made.drawn = ba::drawn_outline(trees, outline);
@@ -100,9 +100,9 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
       << json_members(made.unit_in_mm(), made.y_is_down()) << "\"curves\":[";
   const char* between_chains = "\n";
   for (std::size_t i = 0; i < made.drawn.outline.chains.size(); ++i) {
-    const ba::Outline_chain& chain = made.drawn.outline.chains[i];
+    const ba::Outline_2::Chain& chain = made.drawn.outline.chains[i];
     const auto& curve = made.drawn.drawing.curves()[i];
-    const ba::Outline_part& first = chain.parts.front();
+    const ba::Outline_2::Part& first = chain.parts.front();
     const Query_drawing& drawn = *made.operands[first.operand];
     out << between_chains << "{\"name\":" << json_string(drawn.curves->drawing().curves()[first.curve].name) << ','
         << json_members(drawn.look_of(first.curve)) << "\"type\":\"path\",\"closed\":true,\"orientation\":\""
@@ -111,7 +111,7 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
     else out << "null";
     out << ',';
     write_pieces(out, chain.parts.size(), [&](std::size_t k) {
-      const ba::Outline_part& part = chain.parts[k];
+      const ba::Outline_2::Part& part = chain.parts[k];
       Json piece = piece_json(curve.beziers[k]), source = {{"operand", part.operand}};
       const Query_drawing& from = *made.operands[part.operand];
       source.update(source_json(part, from.number_of(part.curve), from.curves->drawing().curves()[part.curve].name));
@@ -178,7 +178,7 @@ Written_drawing written(const Combined& made, const Boolean_words& words) {
   for (const Operand& operand : made.operands)
     if (!drawing.page) drawing.page = operand->page;
   for (std::size_t i = 0; i < made.drawn.outline.chains.size(); ++i) {
-    const ba::Outline_part& part = made.drawn.outline.chains[i].parts.front();
+    const ba::Outline_2::Part& part = made.drawn.outline.chains[i].parts.front();
     const Query_drawing& from = *made.operands[part.operand];
     drawing.curves.push_back(written_path(from.file, from.curves->drawing().curves()[part.curve].name,
                                           from.look_of(part.curve), made.drawn.drawing.curves()[i].beziers,

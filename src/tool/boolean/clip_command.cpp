@@ -33,7 +33,7 @@ namespace ba = CGAL::Bounding_arcs;
 
 /// Parts that follow each other on a curve, on one side of the region.
 struct Clipped_path {
-  std::vector<ba::Clipped_part> parts;
+  std::vector<ba::Clipped_2::Part> parts;
   std::vector<ba::Bezier_curve_2<double>> pieces;  // of each part
 };
 struct Clipped {
@@ -44,7 +44,7 @@ struct Clipped {
   [[nodiscard]] double unit_in_mm() const { return curves.unit_in_mm > 0 ? curves.unit_in_mm : region.unit_in_mm; }
 };
 
-[[nodiscard]] bool goes_on(const ba::Clipped_part& part, const ba::Clipped_part& next) {
+[[nodiscard]] bool goes_on(const ba::Clipped_2::Part& part, const ba::Clipped_2::Part& next) {
   return part.curve == next.curve && part.side == next.side && part.end == next.start;
 }
 
@@ -77,13 +77,13 @@ Clipped clipped(const Clip_words& words) {
   reading.keep_unit(made.region.unit());
   const Elapsed_line elapsed("clipping");
   const ba::Clipped_2 found = ba::clip(*made.curves.curves, *made.region.curves, made.region.rule);
-  if (found.status == ba::Outline_status::UNDECIDED)
+  if (found.status == ba::Outline_2::Status::UNDECIDED)
     throw Input_error(
         words.file, "clip",
         message_of_undecided(found.undecided, {&made.curves.curves->drawing(), &made.region.curves->drawing()},
                              words.kernel));
   const ba::Drawing_2<double>& drawing = made.curves.curves->drawing();
-  for (const ba::Clipped_part& part : found.parts) {
+  for (const ba::Clipped_2::Part& part : found.parts) {
     if (words.keep != name_of(part.side)) continue;
     if (made.paths.empty() || !goes_on(made.paths.back().parts.back(), part)) made.paths.emplace_back();
     made.paths.back().parts.push_back(part);
@@ -117,7 +117,7 @@ void write_json(std::ostream& out, const Clipped& made, const std::string& side)
 void write_csv(std::ostream& out, const Clipped& made) {
   out << "path,curve,name,bezier,t,t_end,x_from,y_from,x_to,y_to\n";
   for (std::size_t i = 0; i < made.paths.size(); ++i)
-    for (const ba::Clipped_part& part : made.paths[i].parts) {
+    for (const ba::Clipped_2::Part& part : made.paths[i].parts) {
       const auto& curve = made.curves.curves->drawing().curves()[part.curve];
       out << i << ',' << part.curve << ',' << csv_field(curve.name) << ',' << part.bezier;
       for (const ba::Bracket& t : {part.from, part.to}) out << ',' << number(t.lower + (t.upper - t.lower) / 2);

@@ -49,9 +49,9 @@ template <class PieceOf> void write_pieces(std::ostream& out, std::size_t count,
 /// What is said where it was not decided how curves meet, with the place where that is known.
 /// \param operands the drawings, in their order
 [[nodiscard]] inline std::string message_of_undecided(
-    const std::optional<CGAL::Bounding_arcs::Undecided_meeting>& found,
+    const std::optional<CGAL::Bounding_arcs::Overlay_2::Undecided>& found,
     const std::vector<const CGAL::Bounding_arcs::Drawing_2<double>*>& operands, const std::string& kernel) {
-  const auto name = [&](const CGAL::Bounding_arcs::Undecided_meeting::Of& of) {
+  const auto name = [&](const CGAL::Bounding_arcs::Overlay_2::Undecided::Of& of) {
     return '"' + operands[of.operand]->curves()[of.curve].name + '"';
   };
   std::string text = "curves ";

@@ -69,11 +69,11 @@ std::string layer_of(const Written_curve& curve) {
   return layer_name(curve.look.layer.empty() ? curve.name : curve.look.layer);
 }
 
-using CGAL::Bounding_arcs::Curve_colour;
-using Layers = std::map<std::string, Curve_colour>;
+using CGAL::Bounding_arcs::Curve_record;
+using Layers = std::map<std::string, Curve_record::Colour>;
 
 // With a number for programs that know no others.
-Curve_colour dxf_colour(Curve_colour colour) {
+Curve_record::Colour dxf_colour(Curve_record::Colour colour) {
   constexpr int BLACK_OR_WHITE = 7, BLACK = 0, WHITE = 0xFFFFFF;
   if (colour.number == 0 && (colour.rgb == BLACK || colour.rgb == WHITE)) colour.rgb = -1;
   if (colour.number == 0) colour.number = colour.rgb < 0 ? BLACK_OR_WHITE : colour_number_of_rgb(colour.rgb);
@@ -83,7 +83,7 @@ Curve_colour dxf_colour(Curve_colour colour) {
 DL_Attributes attributes_of(const Written_curve& curve, const Layers& layers) {
   constexpr int BY_LAYER = 256;
   const std::string layer = layer_of(curve);
-  const Curve_colour colour = dxf_colour(curve.look.colour);
+  const Curve_record::Colour colour = dxf_colour(curve.look.colour);
   if (layers.at(layer) == colour) return {layer, BY_LAYER, -1, "BYLAYER", 1.0};
   return {layer, colour.number, colour.rgb, -1, "BYLAYER"};
 }

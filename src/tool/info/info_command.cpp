@@ -186,7 +186,7 @@ void write_json(std::ostream& out, const Info& info) {
     json["open_ends"].push_back(std::move(record));
   }
   json["same_direction"] = info.facts.alike;
-  for (const ba::Reading_note& note : info.read.file.notes)
+  for (const ba::Curve_file::Note& note : info.read.file.notes)
     json["notes"].push_back(
         {{"count", note.count}, {"what", note.what}, {"reason", note.reason}, {"read", note.is_read}});
   write_json(out, document);

@@ -18,7 +18,7 @@
 
 namespace bounding_arcs_tool {
 
-using Cells = std::vector<ba::Voronoi_cell>;
+using Cells = std::vector<ba::Medial_axis_2::Cell>;
 
 /// Writes `"cells":[...],`.
 void write_cells(std::ostream& out, const Cells& cells, const Bounding_arc_tree_2& curves);

@@ -10,7 +10,7 @@
 #include "../number_text.h"
 #include "../svg_paths.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,10 @@ namespace {
 void draw_discs(std::ostream& out, const Found_thickness& found, const View& view, double largest) {
   const ba::Medial_axis_2& axis = found.axis.axis;
   std::vector<std::pair<double, Xy<double>>> discs;
-  for (const ba::Medial_vertex& v : axis.vertices) discs.push_back({v.radius, v.center});
-  for (const ba::Medial_edge& e : axis.edges)
+  for (const ba::Medial_axis_2::Vertex& v : axis.vertices) discs.push_back({v.radius, v.center});
+  for (const ba::Medial_axis_2::Edge& e : axis.edges)
     for (std::size_t i = 1; i < e.samples.size(); ++i) {
-      const ba::Medial_sample &a = e.samples[i - 1], &b = e.samples[i];
+      const ba::Medial_axis_2::Sample &a = e.samples[i - 1], &b = e.samples[i];
       discs.push_back({b.radius, b.center});
       const auto foot = [&](const Curve_place& p) { return "L" + view(point_of(found, p)); };
       const std::string fill = colour_of_share((a.radius + b.radius) / 2 / largest);
@@ -75,14 +75,14 @@ void draw_curves(std::ostream& out, const Found_thickness& found, const View& vi
 }
 // A stretch that is one disc is a dot.
 void draw_stretches(std::ostream& out, const Found_thickness& found, const View& view) {
-  for (const ba::Thin_stretch& stretch : found.stretches) {
+  for (const ba::Medial_axis_2::Thin_stretch& stretch : found.stretches) {
     out << "<path class=\"t\" d=\"M" << view(stretch.samples.front().center);
-    for (const ba::Medial_sample& s : stretch.samples) out << "L" << view(s.center);
+    for (const ba::Medial_axis_2::Sample& s : stretch.samples) out << "L" << view(s.center);
     out << "\"><title>" << short_number(stretch.thickness()) << "</title></path>\n";
   }
 }
 void draw_necks(std::ostream& out, const Found_thickness& found, const View& view) {
-  for (const ba::Neck& neck : found.necks)
+  for (const ba::Medial_axis_2::Neck& neck : found.necks)
     out << "<path class=\"n\" d=\"M" << view(point_of(found, neck.disc.left)) << "L" << view(neck.disc.center) << "L"
         << view(point_of(found, neck.disc.right)) << "\"><title>" << short_number(neck.thickness())
         << "</title></path>\n";

@@ -66,7 +66,7 @@ std::string message_of_unresolved(const ba::Medial_axis_2& axis) {
 int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const char* command) {
   const std::string place = "bounding_arcs: " + loaded.file + ": " + command + ": ";
   tell_left_out(loaded.file, command, found.axis.left_out.size(), loaded.rule);
-  if (found.axis.status != ba::Medial_axis_status::UNRESOLVED) return 0;
+  if (found.axis.status != ba::Medial_axis_2::Status::UNRESOLVED) return 0;
   std::cerr << place << message_of_unresolved(found.axis) << "; the rest is written\n";
   return 1;
 }
@@ -80,7 +80,7 @@ void expect_no_crossing(const Query_drawing& loaded, const char* command) {
 
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   const double eps = std::strtod(words.eps.c_str(), nullptr);
-  ba::Medial_axis_options options;
+  ba::Medial_axis_2::Options options;
   options.is_framed = words.is_framed;
   options.rule = loaded.rule;
   Found_axis found;
@@ -93,13 +93,14 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   const bool is_whole_wanted = words.with_cells || words.is_proving || words.prune > 0 || words.prune_angle > 0;
   // where no place is known anything may be wrong
   const bool is_part_told = !axis.edges.empty() && !axis.unresolved.empty();
-  if (axis.status == ba::Medial_axis_status::UNRESOLVED && (!is_part_told || is_whole_wanted))
+  if (axis.status == ba::Medial_axis_2::Status::UNRESOLVED && (!is_part_told || is_whole_wanted))
     throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
   if (axis.eps > eps) throw Input_error(loaded.file, "medial-axis", below_resolution(eps, axis.eps));
   const Bounding_arc_tree_2& curves = *loaded.curves;
   if (words.with_cells && !words.is_framed) expect_no_crossing(loaded, "medial-axis");
   if (words.is_proving) found.proof = ba::axis_certificate(curves, axis);
-  if (words.prune_angle > 0) axis = ba::trimmed(curves, std::move(axis), ba::Feet_apart{words.prune_angle * DEGREE, 0});
+  if (words.prune_angle > 0)
+    axis = ba::trimmed(curves, std::move(axis), ba::Medial_axis_2::Feet_apart{words.prune_angle * DEGREE, 0});
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
   if (words.with_conics) found.conics = ba::axis_conics(curves, axis, axis.eps);
   return found;

@@ -26,7 +26,7 @@ inline constexpr double DEGREE = 3.14159265358979323846 / 180;
 struct Found_axis {
   ba::Medial_axis_2 axis;
   std::optional<ba::Axis_certificate> proof;
-  std::vector<std::vector<ba::Axis_conic>> conics;  ///< of each edge, where asked for
+  std::vector<std::vector<ba::Medial_axis_2::Conic>> conics;  ///< of each edge, where asked for
 };
 
 /// What an axis that is UNRESOLVED lacks, and where.

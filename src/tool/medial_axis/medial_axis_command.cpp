@@ -58,7 +58,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
       << ",\"rule\":\"" << name_of(loaded.rule) << "\"";
-  if (axis.status == ba::Medial_axis_status::UNRESOLVED) {
+  if (axis.status == ba::Medial_axis_2::Status::UNRESOLVED) {
     out << ",\"status\":\"unresolved\",\"unresolved\":[";
     write_list(out, axis.unresolved, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
     out << "]";
@@ -76,28 +76,28 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
   out << ",";
   if (words.with_cells) write_cells(out, ba::voronoi_cells(curves, axis), curves);
   out << "\"vertices\":[\n";
-  write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
+  write_list(out, axis.vertices, ",\n", [&](const ba::Medial_axis_2::Vertex& v) {
     out << "{\"point\":[" << pair_of(v.center) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
     write_list(out, v.touches, ",", place);
     out << "]}";
   });
   out << "],\"edges\":[\n";
-  write_list(out, axis.edges, ",\n", [&](const ba::Medial_edge& e) {
-    const ba::Medial_sample& middle = e.samples[e.samples.size() / 2];
+  write_list(out, axis.edges, ",\n", [&](const ba::Medial_axis_2::Edge& e) {
+    const ba::Medial_axis_2::Sample& middle = e.samples[e.samples.size() / 2];
     out << "{\"from\":" << e.from << ",\"to\":" << e.to << ",\"sites\":[";
     place(middle.left);
     out << ",";
     place(middle.right);
     out << "]";
     if (found.proof) {
-      const ba::Edge_bound& proven = found.proof->edges[static_cast<std::size_t>(&e - axis.edges.data())];
-      const bool is_proven = proven.status == ba::Edge_status::PROVEN;
+      const ba::Axis_certificate::Edge& proven = found.proof->edges[static_cast<std::size_t>(&e - axis.edges.data())];
+      const bool is_proven = proven.status == ba::Axis_certificate::Status::PROVEN;
       out << ",\"status\":\"" << (is_proven ? "PROVEN" : "ESTIMATED") << "\"";
       if (!is_proven) out << ",\"reason\":\"" << ba::name_of(proven.reason) << "\"";
       if (std::isfinite(proven.bound)) out << ",\"bound\":" << number(proven.bound);
     }
     out << ",\"polyline\":[";
-    write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
+    write_list(out, e.samples, ",", [&](const ba::Medial_axis_2::Sample& s) {
       out << "[" << pair_of(s.center) << "," << number(s.radius);
       if (words.v_bit > 0) out << "," << number(0 - s.radius * depth);
       out << "]";
@@ -105,7 +105,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
     out << "]";
     if (words.with_feet) {
       out << ",\"feet\":[";
-      write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
+      write_list(out, e.samples, ",", [&](const ba::Medial_axis_2::Sample& s) {
         const Curve_place p = s.left, q = s.right;
         out << "[[" << loaded.number_of(p.curve) << "," << p.bezier << "," << number(p.t) << "],["
             << loaded.number_of(q.curve) << "," << q.bezier << "," << number(q.t) << "]]";
@@ -115,7 +115,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
     if (words.with_conics) {
       out << ",\"conics\":[";
       write_list(out, found.conics[static_cast<std::size_t>(&e - axis.edges.data())], ",",
-                 [&](const ba::Axis_conic& conic) {
+                 [&](const ba::Medial_axis_2::Conic& conic) {
                    out << "{\"control_points\":[";
                    write_list(out, conic.points, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
                    out << "],\"weights\":[1," << number(conic.weight) << ",1],\"error\":" << number(conic.error) << "}";
@@ -168,14 +168,14 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
     out << text;
   };
   if (words.with_discs)
-    for (const ba::Medial_vertex& v : axis.vertices) circle("d", v.center, v.radius * sheet.view.scale);
-  for (const ba::Medial_edge& e : axis.edges) {
-    const ba::Medial_sample& middle = e.samples[e.samples.size() / 2];
+    for (const ba::Medial_axis_2::Vertex& v : axis.vertices) circle("d", v.center, v.radius * sheet.view.scale);
+  for (const ba::Medial_axis_2::Edge& e : axis.edges) {
+    const ba::Medial_axis_2::Sample& middle = e.samples[e.samples.size() / 2];
     const std::size_t frame = drawing.curves().size() - 1;
     const bool is_of_frame = words.is_framed && (middle.left.curve == frame || middle.right.curve == frame);
     out << "<path class=\"" << (is_of_frame ? 'f' : 'a') << "\" d=\"";
     const char* command = "M";
-    for (const ba::Medial_sample& s : e.samples) {
+    for (const ba::Medial_axis_2::Sample& s : e.samples) {
       out << command << sheet.view(s.center);
       command = "L";
     }
@@ -183,10 +183,10 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
   }
   constexpr double DOT = 6;
   Dot_width dots;
-  for (const ba::Medial_edge& e : axis.edges)
+  for (const ba::Medial_axis_2::Edge& e : axis.edges)
     dots.add(sheet.view, axis.vertices[e.from].center, axis.vertices[e.to].center);
   const double dot = dots(DOT);
-  for (const ba::Medial_vertex& v : axis.vertices) circle("v", v.center, dot / 2);
+  for (const ba::Medial_axis_2::Vertex& v : axis.vertices) circle("v", v.center, dot / 2);
   for (const Xy<double>& p : axis.unresolved) circle("u", p, 2 * DOT);
   out << "</svg>\n";
 }
@@ -315,12 +315,12 @@ Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_draw
   const ba::Medial_axis_2& axis = found.axis;
   Query_answer answer;
   answer.title = title_of(found);
-  for (const ba::Medial_edge& e : axis.edges) {
+  for (const ba::Medial_axis_2::Edge& e : axis.edges) {
     answer.marks.push_back({Mark::LINE, {}});
-    for (const ba::Medial_sample& s : e.samples) answer.marks.back().points.push_back(s.center);
+    for (const ba::Medial_axis_2::Sample& s : e.samples) answer.marks.back().points.push_back(s.center);
   }
   answer.columns = {"x", "y", "radius"};
-  for (const ba::Medial_vertex& v : axis.vertices) {
+  for (const ba::Medial_axis_2::Vertex& v : axis.vertices) {
     answer.rows.push_back({digits(v.center.x), digits(v.center.y), digits(v.radius)});
     answer.marks.push_back({Mark::DOT, {v.center}});
   }

@@ -73,8 +73,8 @@ ba::Curve_place place_of(const Axis_value& curve, const Axis_value& bezier, cons
   return {curve.index<Index>(), bezier.index<Index>(), t.number()};
 }
 
-ba::Medial_vertex vertex_of(const Axis_value& v) {
-  ba::Medial_vertex vertex;
+ba::Medial_axis_2::Vertex vertex_of(const Axis_value& v) {
+  ba::Medial_axis_2::Vertex vertex;
   const Axis_value point = v["point"].of_size(2), touches = v["touches"];
   vertex.center = {point[std::size_t(0)].number(), point[1].number()};
   vertex.radius = v["radius"].number();
@@ -83,8 +83,8 @@ ba::Medial_vertex vertex_of(const Axis_value& v) {
   return vertex;
 }
 
-ba::Medial_edge edge_of(const Axis_value& e) {
-  ba::Medial_edge edge;
+ba::Medial_axis_2::Edge edge_of(const Axis_value& e) {
+  ba::Medial_axis_2::Edge edge;
   edge.from = e["from"].index<std::size_t>(), edge.to = e["to"].index<std::size_t>();
   const Axis_value line = e["polyline"];
   if (!e.has("feet")) e.refuse("expected feet, as --feet writes them, found none");

@@ -28,24 +28,24 @@ Found_thickness thickness_of(const Found_axis& axis, const Query_drawing& loaded
   Found_thickness found{axis, loaded, words.below};
   const auto take = [&](const auto& disc) {
     if (!found.thickest || disc.radius > found.thickest->radius)
-      found.thickest = ba::Medial_sample{disc.center, disc.radius, {}, {}};
+      found.thickest = ba::Medial_axis_2::Sample{disc.center, disc.radius, {}, {}};
   };
-  for (const ba::Medial_vertex& v : axis.axis.vertices) take(v);
-  for (const ba::Medial_edge& e : axis.axis.edges)
-    for (const ba::Medial_sample& s : e.samples) take(s);
+  for (const ba::Medial_axis_2::Vertex& v : axis.axis.vertices) take(v);
+  for (const ba::Medial_axis_2::Edge& e : axis.axis.edges)
+    for (const ba::Medial_axis_2::Sample& s : e.samples) take(s);
   const double corner = words.corner * DEGREE;
   const auto all = ba::thin_stretches(axis.axis, std::numeric_limits<double>::infinity(), corner);
   if (!all.empty()) found.thinnest = all.front().disc();
   if (found.has_limit() && words.below > 0) found.stretches = ba::thin_stretches(axis.axis, words.below, corner);
   found.necks = ba::necks(axis.axis);
-  const auto is_thick = [&](const ba::Neck& n) { return !(n.thickness() < words.below); };
+  const auto is_thick = [&](const ba::Medial_axis_2::Neck& n) { return !(n.thickness() < words.below); };
   found.necks.erase(std::find_if(found.necks.begin(), found.necks.end(), is_thick), found.necks.end());
   return found;
 }
 
 // What a failed check found, in one line.
 std::string message_of_thin(const Found_thickness& found) {
-  const ba::Thin_stretch& least = found.stretches.front();
+  const ba::Medial_axis_2::Thin_stretch& least = found.stretches.front();
   char text[240];
   std::snprintf(text, sizeof text, "%zu stretch%s thinner than %s, the least %s at (%s, %s)", found.stretches.size(),
                 found.stretches.size() == 1 ? " is" : "es are", short_number(found.below).c_str(),

@@ -34,7 +34,7 @@ void write_checked_json(std::ostream& out, const ba::Axis_verification& v) {
       << ",\"gap\":" << number(v.gap) << ",\"deviation\":" << number(v.deviation) << ",\"faults\":" << v.faults
       << ",\"findings\":[";
   const char* separator = "\n";
-  for (const ba::Axis_finding& f : v.findings) {
+  for (const ba::Axis_verification::Finding& f : v.findings) {
     out << separator << "{\"fault\":\"" << ba::name_of(f.fault) << "\",\"place\":" << json_string(f.place)
         << ",\"amount\":" << number(f.amount) << "}";
     separator = ",\n";
@@ -53,7 +53,7 @@ void write_checked_table(std::ostream& out, const ba::Axis_verification& v) {
   out << line;
   if (v.is_right()) out << "right\n";
   else out << v.faults << " faults\n";
-  for (const ba::Axis_finding& f : v.findings) {
+  for (const ba::Axis_verification::Finding& f : v.findings) {
     out << "  " << ba::name_of(f.fault) << " " << f.place;
     if (f.amount != 0) out << ", " << digits(f.amount);
     out << "\n";
@@ -68,10 +68,10 @@ void number_as_in(const Query_drawing& drawing, ba::Medial_axis_2& axis) {
     const bool is_there = found != drawing.numbers.end() && *found == p.curve;  // else a place on no curve
     p.curve = static_cast<std::uint32_t>((is_there ? found : drawing.numbers.end()) - drawing.numbers.begin());
   };
-  for (ba::Medial_vertex& v : axis.vertices)
+  for (ba::Medial_axis_2::Vertex& v : axis.vertices)
     for (Curve_place& p : v.touches) number(p);
-  for (ba::Medial_edge& e : axis.edges)
-    for (ba::Medial_sample& s : e.samples) number(s.left), number(s.right);
+  for (ba::Medial_axis_2::Edge& e : axis.edges)
+    for (ba::Medial_axis_2::Sample& s : e.samples) number(s.left), number(s.right);
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ int run_verify_axis(const Verify_axis_words& words) {
                       written.is_framed ? "expected an axis without one, found one in a frame, which --frame is for"
                                         : "expected an axis in a frame, found one without");
   if (!written.is_framed) expect_no_crossing(drawing, "verify-axis");  // sides of whole curves are checked
-  ba::Axis_check_options options;
+  ba::Axis_verification::Options options;
   options.rule = fill_rule(words.axis.reading.rule, written.rule.value_or(drawing.rule));
   options.is_framed = written.is_framed;
   options.bounds = written.bounds;

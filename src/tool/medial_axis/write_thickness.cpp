@@ -24,7 +24,7 @@ std::size_t number_of(const Found_thickness& found, const Curve_place& of_axis) 
   return found.loaded.number_of(of_axis.curve);
 }
 
-Json json_of_disc(const Found_thickness& found, const ba::Medial_sample& disc) {
+Json json_of_disc(const Found_thickness& found, const ba::Medial_axis_2::Sample& disc) {
   Json record{{"point", json_of(disc.center)}, {"thickness", 2 * disc.radius}};
   for (const Curve_place& p : {disc.left, disc.right}) {
     record["between"].push_back(json_of(found.loaded, p));
@@ -32,14 +32,14 @@ Json json_of_disc(const Found_thickness& found, const ba::Medial_sample& disc) {
   }
   return record;
 }
-Json json_of_stretch(const Found_thickness& found, const ba::Thin_stretch& stretch) {
+Json json_of_stretch(const Found_thickness& found, const ba::Medial_axis_2::Thin_stretch& stretch) {
   Json record = json_of_disc(found, stretch.disc());
   record["length"] = stretch.length;
   record["from"] = json_of(stretch.samples.front().center);
   record["to"] = json_of(stretch.samples.back().center);
   std::set<std::size_t> curves;
   record["polyline"] = Json::array();
-  for (const ba::Medial_sample& s : stretch.samples) {
+  for (const ba::Medial_axis_2::Sample& s : stretch.samples) {
     for (const Curve_place& p : {s.left, s.right}) curves.insert(number_of(found, p));
     record["polyline"].push_back({s.center.x, s.center.y, s.radius});
   }
@@ -57,14 +57,14 @@ Xy<double> point_of(const Found_thickness& found, const Curve_place& of_axis) {
   return found.loaded.curves->drawing().curves()[p.curve].beziers[p.bezier].point(p.t);
 }
 
-bool is_on(const ba::Neck& neck, const ba::Thin_stretch& stretch) {
+bool is_on(const ba::Medial_axis_2::Neck& neck, const ba::Medial_axis_2::Thin_stretch& stretch) {
   return std::any_of(stretch.samples.begin(), stretch.samples.end(),
-                     [&](const ba::Medial_sample& s) { return s.center == neck.disc.center; });
+                     [&](const ba::Medial_axis_2::Sample& s) { return s.center == neck.disc.center; });
 }
 
 void write_thickness_json(std::ostream& out, const Found_thickness& found) {
   const ba::Medial_axis_2& axis = found.axis.axis;
-  const bool is_complete = axis.status == ba::Medial_axis_status::COMPLETE;
+  const bool is_complete = axis.status == ba::Medial_axis_2::Status::COMPLETE;
   Json document{{"eps", axis.eps}, {"moved", axis.moved}, {"status", is_complete ? "complete" : "unresolved"}};
   if (!is_complete) document["unresolved"] = Json::array();
   for (const Xy<double>& p : axis.unresolved) document["unresolved"].push_back(json_of(p));
@@ -77,11 +77,11 @@ void write_thickness_json(std::ostream& out, const Found_thickness& found) {
   if (found.has_limit()) {
     document["below"] = found.below;
     document["stretches"] = Json::array();
-    for (const ba::Thin_stretch& stretch : found.stretches)
+    for (const ba::Medial_axis_2::Thin_stretch& stretch : found.stretches)
       document["stretches"].push_back(json_of_stretch(found, stretch));
   }
   document["necks"] = Json::array();
-  for (const ba::Neck& neck : found.necks) {
+  for (const ba::Medial_axis_2::Neck& neck : found.necks) {
     Json record = json_of_disc(found, neck.disc);
     if (std::isfinite(neck.prominence)) record["prominence"] = 2 * neck.prominence;
     document["necks"].push_back(record);
@@ -92,7 +92,7 @@ void write_thickness_json(std::ostream& out, const Found_thickness& found) {
 void write_thickness_csv(std::ostream& out, const Found_thickness& found) {
   Query_answer table;
   table.columns = {"x", "y", "thickness", "x1", "y1", "x2", "y2"};
-  const auto row = [&](const ba::Medial_sample& disc) {
+  const auto row = [&](const ba::Medial_axis_2::Sample& disc) {
     const Xy<double> a = point_of(found, disc.left), b = point_of(found, disc.right);
     std::vector<std::string> fields;
     for (const double x : {disc.center.x, disc.center.y, 2 * disc.radius, a.x, a.y, b.x, b.y})
@@ -100,31 +100,31 @@ void write_thickness_csv(std::ostream& out, const Found_thickness& found) {
     return fields;
   };
   if (!found.has_limit()) {
-    for (const ba::Neck& n : found.necks) table.rows.push_back(row(n.disc));
+    for (const ba::Medial_axis_2::Neck& n : found.necks) table.rows.push_back(row(n.disc));
     return write_csv(out, table);
   }
   for (const char* column : {"length", "x_from", "y_from", "x_to", "y_to", "curve1", "curve2", "necks"})
     table.columns.push_back(column);
-  for (const ba::Thin_stretch& s : found.stretches) {
+  for (const ba::Medial_axis_2::Thin_stretch& s : found.stretches) {
     table.rows.push_back(row(s.disc()));
     const Xy<double> from = s.samples.front().center, to = s.samples.back().center;
     for (const double x : {s.length, from.x, from.y, to.x, to.y}) table.rows.back().push_back(digits(x));
     for (const Curve_place& p : {s.disc().left, s.disc().right})
       table.rows.back().push_back(std::to_string(number_of(found, p)));
-    table.rows.back().push_back(std::to_string(
-        std::count_if(found.necks.begin(), found.necks.end(), [&](const ba::Neck& neck) { return is_on(neck, s); })));
+    table.rows.back().push_back(std::to_string(std::count_if(
+        found.necks.begin(), found.necks.end(), [&](const ba::Medial_axis_2::Neck& neck) { return is_on(neck, s); })));
   }
   write_csv(out, table);
 }
 
 Written_drawing written_thickness(const Found_thickness& found) {
-  constexpr CGAL::Bounding_arcs::Curve_colour RED{1, -1}, ORANGE{30, -1};
+  constexpr CGAL::Bounding_arcs::Curve_record::Colour RED{1, -1}, ORANGE{30, -1};
   Written_drawing drawing{!found.loaded.flips, found.loaded.unit_in_mm, found.loaded.page};
-  const auto across = [&](const ba::Medial_sample& disc) -> std::vector<Written_piece> {
+  const auto across = [&](const ba::Medial_axis_2::Sample& disc) -> std::vector<Written_piece> {
     return {Arc_2{point_of(found, disc.left), disc.center, 0}, Arc_2{disc.center, point_of(found, disc.right), 0}};
   };
   for (std::size_t k = 0; k < found.stretches.size(); ++k) {
-    const std::vector<ba::Medial_sample>& samples = found.stretches[k].samples;
+    const std::vector<ba::Medial_axis_2::Sample>& samples = found.stretches[k].samples;
     std::vector<Written_piece> pieces;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
       pieces.emplace_back(Arc_2{samples[i].center, samples[i + 1].center, 0});

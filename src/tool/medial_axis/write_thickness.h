@@ -22,11 +22,11 @@ namespace bounding_arcs_tool {
 struct Found_thickness {
   const Found_axis& axis;
   const Query_drawing& loaded;
-  double below;                                    ///< the limit; infinite for none
-  std::optional<ba::Medial_sample> thickest = {};  ///< none of an axis without vertices
-  std::optional<ba::Medial_sample> thinnest = {};  ///< outside of corners
-  std::vector<ba::Thin_stretch> stretches = {};    ///< below the limit
-  std::vector<ba::Neck> necks = {};                ///< below the limit, or all
+  double below;                                                 ///< the limit; infinite for none
+  std::optional<ba::Medial_axis_2::Sample> thickest = {};       ///< none of an axis without vertices
+  std::optional<ba::Medial_axis_2::Sample> thinnest = {};       ///< outside of corners
+  std::vector<ba::Medial_axis_2::Thin_stretch> stretches = {};  ///< below the limit
+  std::vector<ba::Medial_axis_2::Neck> necks = {};              ///< below the limit, or all
 
   [[nodiscard]] bool has_limit() const { return std::isfinite(below); }
 };
@@ -34,7 +34,7 @@ struct Found_thickness {
 /// The point that is at a place.
 [[nodiscard]] Xy<double> point_of(const Found_thickness& found, const Curve_place& place);
 /// Whether a neck is a place of a stretch.
-[[nodiscard]] bool is_on(const ba::Neck& neck, const ba::Thin_stretch& stretch);
+[[nodiscard]] bool is_on(const ba::Medial_axis_2::Neck& neck, const ba::Medial_axis_2::Thin_stretch& stretch);
 
 void write_thickness_json(std::ostream& out, const Found_thickness& found);
 /// A line a stretch where there is a limit, else one a neck.

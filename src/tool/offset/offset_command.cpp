@@ -54,14 +54,14 @@ namespace {
 
 double eps_of(const Offset_words& words) { return std::strtod(words.eps.c_str(), nullptr); }
 
-ba::Offset_options options_of(const Offset_words& words) {
-  static const std::map<std::string, ba::Offset_join> JOINS{
-      {"round", ba::Offset_join::ROUND}, {"miter", ba::Offset_join::MITER}, {"bevel", ba::Offset_join::BEVEL}};
-  static const std::map<std::string, ba::Offset_cap> CAPS{
-      {"round", ba::Offset_cap::ROUND}, {"butt", ba::Offset_cap::BUTT}, {"square", ba::Offset_cap::SQUARE}};
-  static const std::map<std::string, ba::Offset_side> SIDES{
-      {"both", ba::Offset_side::BOTH}, {"left", ba::Offset_side::LEFT}, {"right", ba::Offset_side::RIGHT}};
-  ba::Offset_options options;
+ba::Offset::Options options_of(const Offset_words& words) {
+  static const std::map<std::string, ba::Offset::Join> JOINS{
+      {"round", ba::Offset::Join::ROUND}, {"miter", ba::Offset::Join::MITER}, {"bevel", ba::Offset::Join::BEVEL}};
+  static const std::map<std::string, ba::Offset::Cap> CAPS{
+      {"round", ba::Offset::Cap::ROUND}, {"butt", ba::Offset::Cap::BUTT}, {"square", ba::Offset::Cap::SQUARE}};
+  static const std::map<std::string, ba::Offset::Side> SIDES{
+      {"both", ba::Offset::Side::BOTH}, {"left", ba::Offset::Side::LEFT}, {"right", ba::Offset::Side::RIGHT}};
+  ba::Offset::Options options;
   options.join = JOINS.at(words.join);
   options.miter_limit = words.miter_limit;
   options.cap = CAPS.at(words.cap);
@@ -83,13 +83,13 @@ void write_csv(std::ostream& out, const std::vector<ba::Offset>& offsets, const 
   out << "distance,chain,of,curve,bezier,t,t_end,bezier_end," << PIECE_COLUMNS << '\n';
   for (const ba::Offset& offset : offsets)
     for (std::size_t i = 0; i < offset.chains.size(); ++i)
-      for (const ba::Offset_piece& p : offset.chains[i].pieces)
+      for (const ba::Offset::Piece& p : offset.chains[i].pieces)
         out << number(offset.distance) << ',' << i << ',' << KINDS[static_cast<int>(p.kind)] << ','
             << csv_field(drawing.curves()[p.source.curve].name) << ',' << p.source.bezier << ',' << number(p.source.t)
-            << ',' << number(p.t_end) << ',' << ba::bezier_of_end(p) << ',' << piece_fields(p.arc) << '\n';
+            << ',' << number(p.t_end) << ',' << p.bezier_of_end() << ',' << piece_fields(p.arc) << '\n';
 }
 
-void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Drawing_2<double>& drawing) {
+void write_chain(std::ostream& out, const ba::Offset::Chain& chain, const ba::Drawing_2<double>& drawing) {
   out << "{\"closed\":" << (chain.is_closed ? "true" : "false") << ",\"orientation\":\""
       << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
   if (chain.parent) out << *chain.parent;
@@ -98,13 +98,13 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
   std::string text;
   Piece_text pieces;
   const char* separator = "\n{";
-  for (const ba::Offset_piece& p : chain.pieces) {
+  for (const ba::Offset::Piece& p : chain.pieces) {
     text = separator;
     pieces.add_members(text, p.arc);
     out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
         << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end)
-        << ",\"bezier_end\":" << ba::bezier_of_end(p) << "}}";
+        << ",\"bezier_end\":" << p.bezier_of_end() << "}}";
     separator = ",\n{";
   }
   out << "]}";
@@ -118,7 +118,7 @@ void write_json(std::ostream& out, const std::vector<ba::Offset>& offsets, const
     out << between_offsets << "{\"distance\":" << number(offset.distance) << ",\"error\":" << number(offset.error)
         << ",\"chains\":[";
     const char* between_chains = "\n";
-    for (const ba::Offset_chain& chain : offset.chains) {
+    for (const ba::Offset::Chain& chain : offset.chains) {
       out << between_chains;
       write_chain(out, chain, drawing);
       between_chains = ",\n";
@@ -138,8 +138,8 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
       for (const Xy<double>& p : piece.control_points()) box.add(p);
   for (const ba::Offset& offset : offsets) {
     chains += offset.chains.size();
-    for (const ba::Offset_chain& chain : offset.chains)
-      for (const ba::Offset_piece& p : chain.pieces) {
+    for (const ba::Offset::Chain& chain : offset.chains)
+      for (const ba::Offset::Piece& p : chain.pieces) {
         box.add(p.arc.from);
         box.add(p.arc.to);
         box.add(middle(p.arc));
@@ -175,9 +175,9 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
   for (const ba::Offset& offset : offsets) {
     out << "<g><title>" << short_number(offset.distance) << "</title>\n<path class=\""
         << (offset.distance < 0 ? 'i' : 'o') << "\" d=\"";
-    for (const ba::Offset_chain& chain : offset.chains) {
+    for (const ba::Offset::Chain& chain : offset.chains) {
       out << "M" << sheet.view(chain.pieces.front().arc.from);
-      for (const ba::Offset_piece& p : chain.pieces) out << step(sheet.view, p.arc, true);
+      for (const ba::Offset::Piece& p : chain.pieces) out << step(sheet.view, p.arc, true);
       if (chain.is_closed) out << "Z";
     }
     out << "\"/></g>\n";
@@ -189,9 +189,9 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
 std::vector<Tool_pass> tool_passes(const std::vector<ba::Offset>& offsets, double depth) {
   std::vector<Tool_pass> passes;
   for (const ba::Offset& offset : offsets)
-    for (const ba::Offset_chain& chain : offset.chains) {
+    for (const ba::Offset::Chain& chain : offset.chains) {
       passes.push_back({"offset " + number(offset.distance), {}, -depth});
-      for (const ba::Offset_piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
+      for (const ba::Offset::Piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
     }
   return inside_out(passes);
 }
@@ -206,9 +206,9 @@ ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std:
 
 ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
   ba::Offset offset = served_offset(source, d, file);
-  if (offset.status == ba::Offset_status::RESOLUTION_REACHED)
+  if (offset.status == ba::Offset::Status::RESOLUTION_REACHED)
     throw Input_error(file, "offset", below_resolution(eps, offset.error));
-  if (offset.status == ba::Offset_status::UNRESOLVED)
+  if (offset.status == ba::Offset::Status::UNRESOLVED)
     throw Input_error(file, "offset",
                       "at distance " + number(d) + " its parts touch " +
                           (offset.unresolved ? "at about " + place_text(*offset.unresolved) + " " : "") +
@@ -223,7 +223,7 @@ struct Offset_input {
   ba::Fill_rule rule = ba::Fill_rule::NONZERO;
   bool flips = true;  // y of the plane is upwards
   double unit_in_mm = 0;
-  std::optional<ba::Page> page = {};
+  std::optional<ba::Curve_file::Page> page = {};
   std::vector<Curve_look> looks = {};  // of each curve
 };
 Offset_input offset_input(const Offset_words& words) {
@@ -243,11 +243,11 @@ Offset_input offset_input(const Offset_words& words) {
 Written_drawing written(const std::vector<ba::Offset>& offsets, const Offset_input& input) {
   Written_drawing drawing{!input.flips, input.unit_in_mm, input.page};
   for (const ba::Offset& offset : offsets)
-    for (const ba::Offset_chain& chain : offset.chains) {
+    for (const ba::Offset::Chain& chain : offset.chains) {
       const std::size_t source = chain.pieces.front().source.curve;
       drawing.curves.push_back(
           {input.drawing.curves()[source].name, {"offset_" + number(offset.distance), input.looks[source].colour}, {}});
-      for (const ba::Offset_piece& piece : chain.pieces) drawing.curves.back().pieces.push_back(piece.arc);
+      for (const ba::Offset::Piece& piece : chain.pieces) drawing.curves.back().pieces.push_back(piece.arc);
     }
   return drawing;
 }
@@ -264,7 +264,7 @@ void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawi
 }
 
 ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<double>& drawing, double eps,
-                                  const ba::Offset_options& options) {
+                                  const ba::Offset::Options& options) {
   try {
     return ba::Offset_source_2(ba::Bounding_arc_tree_2(drawing), eps, options);
   } catch (const std::invalid_argument& error) {
@@ -282,7 +282,7 @@ ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<d
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string& file,
                                    const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, bool is_stream) {
   const double eps = eps_of(words);
-  ba::Offset_options options = options_of(words);
+  ba::Offset::Options options = options_of(words);
   options.rule = rule;
   std::optional<Elapsed_line> elapsed;
   const auto show = [&](const std::string& what) {
@@ -294,7 +294,7 @@ std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string&
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   const bool is_inwards = std::any_of(distances.begin(), distances.end(), [](double d) { return d < 0; });
-  if (is_inwards && options.side == ba::Offset_side::BOTH && !is_stream)
+  if (is_inwards && options.side == ba::Offset::Side::BOTH && !is_stream)
     tell_left_out(file, "offset", source.left_out().size(), rule);
   for (const double d : distances) {
     show("offset " + std::to_string(offsets.size() + 1) + " of " + std::to_string(distances.size()));
@@ -371,9 +371,9 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
   const std::vector<ba::Offset> offsets = offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, false);
   for (const ba::Offset& offset : offsets) {
     outlines.push_back({offset.distance, {}});
-    for (const ba::Offset_chain& chain : offset.chains) {
+    for (const ba::Offset::Chain& chain : offset.chains) {
       outlines.back().chains.emplace_back();
-      for (const ba::Offset_piece& p : chain.pieces) outlines.back().chains.back().push_back(p.arc);
+      for (const ba::Offset::Piece& p : chain.pieces) outlines.back().chains.back().push_back(p.arc);
     }
   }
   return outlines;

@@ -7,7 +7,6 @@
 #include "../number_text.h"
 
 #include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +17,7 @@ namespace {
 namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Bracket& d) { return Json::array({d.lower, d.upper}); }
-Json json_of(const Bounding_arc_tree_2& curves, const ba::Drawing_point<>& p) {
+Json json_of(const Bounding_arc_tree_2& curves, const ba::Drawing_distance<>::End& p) {
   return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(curves, p.place)}};
 }
 
@@ -26,7 +25,7 @@ void add_distance(Query_answer& answer, const char* what, const ba::Drawing_dist
                   const Bounding_arc_tree_2& b) {
   answer.columns = {"what", "least", "most", "x a", "y a", "place a", "t a", "x b", "y b", "place b", "t b"};
   std::vector<std::string> row{what, digits(d.distance.lower), digits(d.distance.upper)};
-  const auto add = [&row](const Bounding_arc_tree_2& curves, const ba::Drawing_point<>& p) {
+  const auto add = [&row](const Bounding_arc_tree_2& curves, const ba::Drawing_distance<>::End& p) {
     for (const std::string& field : {digits(p.point.x), digits(p.point.y),
                                      name_of_place(curves, p.place.curve, p.place.bezier), digits(p.place.t)})
       row.push_back(field);

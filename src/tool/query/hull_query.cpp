@@ -18,7 +18,7 @@ namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Measure_bounds& m) { return Json::array({m.lower, m.upper}); }
 
-Mark mark_of(const Bounding_arc_tree_2& curves, const ba::Hull_piece<>& piece) {
+Mark mark_of(const Bounding_arc_tree_2& curves, const ba::Convex_hull<>::Piece& piece) {
   constexpr int SAMPLES = 32;
   if (piece.kind == ba::Hull_piece_kind::BITANGENT) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
   Mark mark{Mark::STRONG_LINE, {}};
@@ -55,7 +55,7 @@ Query_answer hull_query(const Query_drawing& drawing, double eps) {
   answer.title = "convex hull: " + std::to_string(hull.pieces.size()) + " pieces";
   answer.columns = {"piece", "x from", "y from", "place from", "t from", "x to", "y to", "place to", "t to"};
   Json pieces = Json::array();
-  for (const ba::Hull_piece<>& p : hull.pieces) {
+  for (const ba::Convex_hull<>::Piece& p : hull.pieces) {
     const char* type = p.kind == ba::Hull_piece_kind::CURVE ? "curve" : "segment";
     const auto end = [&](const Xy<double>& point, const Curve_place& place) {
       return Json{{"point", bounding_arcs_tool::json_of(point)}, {"place", bounding_arcs_tool::json_of(curves, place)}};

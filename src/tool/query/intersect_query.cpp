@@ -53,7 +53,7 @@ Query_answer answer_of(const ba::Intersections_2<>& found, const Bounding_arc_tr
                  (found.overlaps.empty() ? "" : ", overlaps: " + std::to_string(found.overlaps.size()));
   answer.columns = {"x", "y", "kind", "place a", "t a", "place b", "t b"};
   Json points = Json::array(), overlaps = Json::array();
-  for (const ba::Intersection_2<>& p : found.points) {
+  for (const ba::Intersections_2<>::Intersection& p : found.points) {
     points.push_back({{"point", bounding_arcs_tool::json_of(p.point)},
                       {"kind", name_of(p.kind)},
                       {"a", json_of(p.a)},

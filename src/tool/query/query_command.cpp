@@ -11,7 +11,7 @@
 #include "../option_words.h"
 #include "../usage.h"
 
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 
 #include <CLI/CLI.hpp>
 
@@ -157,7 +157,7 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
   if (numbers.empty()) check_closed(all, is_unknown ? "; a style sheet, which is not read, may fill it" : "");
   const std::size_t open = read.curves.size() - numbers.size();
   if (open > 0) {
-    ba::Reading_note note = loose_ends(all.curves->drawing()).note();
+    ba::Curve_file::Note note = loose_ends(all.curves->drawing()).note();
     if (is_unknown) note.reason = "perhaps filled by a style sheet, which is not read";
     if (words.skips_open) tell(file, "left out: " + text_of(note));
     else read.notes.push_back(std::move(note));

@@ -42,7 +42,7 @@ struct Query_drawing {
   CGAL::Bounding_arcs::Fill_rule rule = CGAL::Bounding_arcs::Fill_rule::NONZERO;  ///< what closed curves enclose
   std::vector<std::size_t> numbers = {};  ///< of each curve among those of the file; empty where all are there
   double unit_in_mm = 0;                  ///< 0 where the file tells none
-  std::optional<CGAL::Bounding_arcs::Page> page = {};
+  std::optional<CGAL::Bounding_arcs::Curve_file::Page> page = {};
   std::vector<Curve_look> looks = {};  ///< of each curve of the file
 
   /// How a curve of the drawing is shown.

@@ -25,15 +25,17 @@ namespace ba = CGAL::Bounding_arcs;
 std::vector<Tool_pass> branches_of(const ba::Medial_axis_2& axis, const V_bit& bit) {
   std::vector<Tool_pass> passes;
   std::vector<std::size_t> parts;
-  for (const ba::Axis_branch& branch : ba::axis_branches(axis, bit.largest())) {
+  for (const ba::Medial_axis_2::Branch& branch : ba::axis_branches(axis, bit.largest())) {
     Tool_pass pass{"carve"};
-    const auto height = [&](const ba::Medial_sample& s) { return 0 - (std::min)(s.radius * bit.depth, bit.most); };
-    for (const ba::Medial_sample& s : branch.samples) {
+    const auto height = [&](const ba::Medial_axis_2::Sample& s) {
+      return 0 - (std::min)(s.radius * bit.depth, bit.most);
+    };
+    for (const ba::Medial_axis_2::Sample& s : branch.samples) {
       if (!pass.heights.empty()) pass.pieces.push_back({(&s)[-1].center, s.center, 0});
       pass.heights.push_back(height(s));
     }
     if (pass.pieces.empty()) {  // a disc alone is drilled
-      const ba::Medial_sample& disc = branch.samples.front();
+      const ba::Medial_axis_2::Sample& disc = branch.samples.front();
       pass.pieces.push_back({disc.center, disc.center, 0});
       pass.heights.push_back(height(disc));
     }
@@ -45,9 +47,9 @@ std::vector<Tool_pass> branches_of(const ba::Medial_axis_2& axis, const V_bit& b
 
 double largest_radius(const ba::Medial_axis_2& axis) {
   double largest = 0;
-  for (const ba::Medial_vertex& v : axis.vertices) largest = (std::max)(largest, v.radius);
-  for (const ba::Medial_edge& e : axis.edges)
-    for (const ba::Medial_sample& s : e.samples) largest = (std::max)(largest, s.radius);
+  for (const ba::Medial_axis_2::Vertex& v : axis.vertices) largest = (std::max)(largest, v.radius);
+  for (const ba::Medial_axis_2::Edge& e : axis.edges)
+    for (const ba::Medial_axis_2::Sample& s : e.samples) largest = (std::max)(largest, s.radius);
   return largest;
 }
 
@@ -58,22 +60,22 @@ void add_bottoms(V_carving& carving, const ba::Bounding_arc_tree_2& tree, const 
   if (!(largest > radius)) return;
   if (flat > 0 && (largest - radius) / (flat / 2) > MOST)
     throw Usage_error("--flat-tool", "a diameter that clears what is flat in 10000 passes", number(flat));
-  ba::Offset_options options;
+  ba::Offset::Options options;
   options.rule = axis.options.rule;
   const std::string place = "--max-depth " + number(bit.most);
   try {
     const ba::Offset_source_2 source(tree, axis.eps, options);
     const auto add_inset = [&](std::vector<Tool_pass>& passes, const char* title, double r) {
       const ba::Offset inset = source.at(-r);
-      if (inset.status == ba::Offset_status::RESOLUTION_REACHED)
+      if (inset.status == ba::Offset::Status::RESOLUTION_REACHED)
         throw Input_error(file, place, below_resolution(axis.eps, inset.error));
-      if (inset.status == ba::Offset_status::UNRESOLVED)
+      if (inset.status == ba::Offset::Status::UNRESOLVED)
         throw Input_error(file, place,
                           "at distance " + number(-r) +
                               " its parts touch in a way that cannot be told apart; change the depth a little");
-      for (const ba::Offset_chain& chain : inset.chains) {
+      for (const ba::Offset::Chain& chain : inset.chains) {
         passes.push_back({title, {}, -bit.most});
-        for (const ba::Offset_piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
+        for (const ba::Offset::Piece& piece : chain.pieces) passes.back().pieces.push_back(piece.arc);
       }
     };
     add_inset(carving.pockets, "pocket", radius);

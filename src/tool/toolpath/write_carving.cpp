@@ -10,7 +10,7 @@
 #include "../svg_paths.h"
 #include "gcode_options.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +37,9 @@ void write_carving_csv(std::ostream& out, const V_carving& carving) {
 }
 
 Written_drawing written_carving(const V_carving& carving, bool y_is_down, double unit_in_mm) {
-  constexpr CGAL::Bounding_arcs::Curve_colour RED{1, -1}, BLUE{5, -1}, GREEN{3, -1};
+  constexpr CGAL::Bounding_arcs::Curve_record::Colour RED{1, -1}, BLUE{5, -1}, GREEN{3, -1};
   Written_drawing drawing{y_is_down, unit_in_mm};
-  const auto add = [&](const std::vector<Tool_pass>& passes, const CGAL::Bounding_arcs::Curve_colour& colour) {
+  const auto add = [&](const std::vector<Tool_pass>& passes, const CGAL::Bounding_arcs::Curve_record::Colour& colour) {
     for (const Tool_pass& pass : passes)
       drawing.curves.push_back(
           {pass.title, {pass.title, colour}, {pass.pieces.begin(), pass.pieces.end()}, pass.height, pass.heights});

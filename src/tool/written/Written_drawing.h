@@ -21,7 +21,7 @@ namespace bounding_arcs_tool {
 /// What a drawing says of a curve beside its course.
 struct Curve_look {
   std::string layer;  ///< empty for none
-  CGAL::Bounding_arcs::Curve_colour colour;
+  CGAL::Bounding_arcs::Curve_record::Colour colour;
 };
 [[nodiscard]] Curve_look look_of(const CGAL::Bounding_arcs::Curve_record& record);
 /// The look as members of a JSON object, a comma behind each: "layer" and "colour", where there are any.
@@ -57,8 +57,8 @@ void add_piece(std::vector<Written_piece>& pieces, const Written_piece& piece);
 
 struct Written_drawing {
   bool y_is_down = false;
-  double unit_in_mm = 0;                               ///< 0 for none
-  std::optional<CGAL::Bounding_arcs::Page> page = {};  ///< of SVG, as it was read
+  double unit_in_mm = 0;                                           ///< 0 for none
+  std::optional<CGAL::Bounding_arcs::Curve_file::Page> page = {};  ///< of SVG, as it was read
   std::vector<Written_curve> curves = {};
 };
 

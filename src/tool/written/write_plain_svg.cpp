@@ -136,7 +136,7 @@ CGAL::Bbox_2 box_of(const Written_drawing& drawing) {
   return drawing.curves.empty() ? CGAL::Bbox_2(0, 0, 1, 1) : box;
 }
 
-std::string colour_text(const ba::Curve_colour& colour) {
+std::string colour_text(const ba::Curve_record::Colour& colour) {
   const int rgb = colour.rgb >= 0 ? colour.rgb : colour.number > 0 ? rgb_of_colour_number(colour.number) : 0;
   char text[16];
   std::snprintf(text, sizeof text, "#%06x", static_cast<unsigned>(rgb));
@@ -204,7 +204,7 @@ std::string curve_path(const View& view, const Bezier& curve) {
 }
 
 void write_plain_svg(std::ostream& out, const Written_drawing& drawing) {
-  const ba::Page page = drawing.page ? *drawing.page : page_of(box_of(drawing), drawing.unit_in_mm);
+  const ba::Curve_file::Page page = drawing.page ? *drawing.page : page_of(box_of(drawing), drawing.unit_in_mm);
   out << "<svg " << SVG_NAMESPACES;
   write_attribute(out, "width", page.shown_width);
   write_attribute(out, "height", page.shown_height);

@@ -22,8 +22,8 @@ using namespace bounding_arcs_test;
 
 constexpr double PI = 3.141592653589793;
 
-ba::Offset_chain chain_of(const std::vector<Point>& corners) {
-  ba::Offset_chain chain;
+ba::Offset::Chain chain_of(const std::vector<Point>& corners) {
+  ba::Offset::Chain chain;
   for (std::size_t i = 0; i < corners.size(); ++i)
     chain.pieces.push_back({{corners[i], corners[(i + 1) % corners.size()], 0}, {0, 0, 0}, 1});
   chain.area = ba::internal::size_of(chain.pieces).area;
@@ -34,7 +34,7 @@ ba::Offset_chain chain_of(const std::vector<Point>& corners) {
 TEST(ShortPieces, AreLeftOutOnlyWhereNothingCrosses) {
   constexpr double EPS = 1, ROOM = 1e-14, SHORT = 1.0 / 32;
   const std::vector<Point> corners{{0, 0}, {10, 0}, {10, SHORT}, {20, 10}, {0, 10}};
-  const auto count = [&](const std::vector<ba::Offset_chain>& others, double most) {
+  const auto count = [&](const std::vector<ba::Offset::Chain>& others, double most) {
     Offset offset;
     offset.chains.push_back(chain_of(corners));
     offset.chains.insert(offset.chains.end(), others.begin(), others.end());
@@ -46,8 +46,8 @@ TEST(ShortPieces, AreLeftOutOnlyWhereNothingCrosses) {
   EXPECT_EQ(count({}, EPS / 4), 4U);
   EXPECT_EQ(count({}, SHORT / 2), 5U);
   // tips between where neighbours are and where they would be led on to
-  const ba::Offset_chain below = chain_of({{12, -1}, {15, 5 + SHORT / 4}, {25, -1}}),
-                         above = chain_of({{5, SHORT / 4}, {6, 1}, {4, 1}});
+  const ba::Offset::Chain below = chain_of({{12, -1}, {15, 5 + SHORT / 4}, {25, -1}}),
+                          above = chain_of({{5, SHORT / 4}, {6, 1}, {4, 1}});
   EXPECT_EQ(count({below}, EPS / 4), 4U);
   EXPECT_EQ(count({above}, EPS / 4), 4U);
   EXPECT_EQ(count({below, above}, EPS / 4), 5U);

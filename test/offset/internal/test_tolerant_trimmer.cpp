@@ -28,7 +28,7 @@ TEST(TolerantTrimmer, TellsHowFarLoopsAreFromTheBoundary) {
       const double bulge = -2 * height;
       Raw_offset raw;
       const auto add = [&](std::size_t i, double b) {
-        raw.edges.push_back({{corners[i], corners[(i + 1) % 4], b}, 0, Offset_kind::CURVE, false, false, false, 0});
+        raw.edges.push_back({{corners[i], corners[(i + 1) % 4], b}, 0, Offset::Kind::CURVE, false, false, false, 0});
       };
       add(0, is_bent_first ? bulge : 0);
       for (std::size_t i = 1; i < 4; ++i) add(i, 0);
@@ -55,7 +55,7 @@ TEST(TolerantTrimmer, TellsHowFarLoopsAreFromTheBoundary) {
 
 TEST(TolerantTrimmer, TellsWherePartsMakeNoLoop) {
   Raw_offset raw;
-  raw.edges.push_back({{{3, 1}, {5, 2}, 0}, 0, Offset_kind::CURVE, true, false, false, 0});
+  raw.edges.push_back({{{3, 1}, {5, 2}, 0}, 0, Offset::Kind::CURVE, true, false, false, 0});
   raw.runs.push_back({0, 1, false});
   const auto covers = [](const Point& p) { return p.y > 1 + (p.x - 3) / 2; };  // on one side, and the edge ends
   Tolerant_trimmer trimmer(raw, covers, 0x1p-40, 0x1p-10);

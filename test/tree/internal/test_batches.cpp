@@ -209,8 +209,8 @@ TYPED_TEST(Batches, DecideFirstLevelsSideBySideAsPieceByPiece) {
               const ba::Bracket b = functions.of_one(curve)(curve, grid.parameter(level, place),
                                                             grid.parameter(level, place + 1), eps, true);
               const bool is_above = (top.above(level) >> place & 1) != 0;
-              EXPECT_EQ(is_above, b.lower > ba::reachable(eps, spiral));
-              EXPECT_TRUE(is_above || b.upper <= ba::reachable(eps, spiral));
+              EXPECT_EQ(is_above, b.lower > ba::internal::reachable(eps, spiral));
+              EXPECT_TRUE(is_above || b.upper <= ba::internal::reachable(eps, spiral));
               EXPECT_EQ(top.thickness(level, place), b.upper);
               EXPECT_TRUE(!are_kept || ba::filter::is_close(b.lower, b.upper));
               loose += ba::filter::is_close(b.lower, b.upper) ? 0 : 1;
@@ -251,13 +251,13 @@ TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
   };
   ba::filter::Piece_decisions decide(open, batches, spiral.local_curve());
   ASSERT_TRUE(decide.has_batches());
-  ba::Region_nodes nodes(false);
+  ba::internal::Region_nodes nodes(false);
   ba::Decision_counts counts;
   constexpr double THIN = 1e-66;  // thinner than any piece, but not so thin that the whole is hopeless
   ba::filter::Level_strategy levels_of;
   const ba::filter::Segment_top nothing;
   static_cast<void>(levels_of.begin(nothing, nodes, counts));
-  const ba::Subdivision all = levels_of.finish(decide, nothing, THIN, 100000, nodes, counts);
+  const ba::internal::Subdivision all = levels_of.finish(decide, nothing, THIN, 100000, nodes, counts);
   EXPECT_EQ(nodes.size(), (std::size_t(2) << levels) - 1);
   const double last = spiral.last(), before = last - (last - spiral.first()) / std::ldexp(1.0, levels);
   EXPECT_GE(all.bound, ba::Bca::thickness(spiral.shape<double>(before, last)) * (1 - 1e-9));

@@ -54,7 +54,8 @@ template <class Traits> void expect_tiles(const Region_hierarchy_2<Traits, Spira
 TYPED_TEST(Optimal_tree, TilesSegmentsWithinTheTolerance) {
   for (const double eps : {1e-3, 1e-6}) {
     if (FEW_CASES && eps < 1e-4) break;
-    const Region_hierarchy_2<TypeParam, Spiral> tree(random_spirals(420, 20), eps, nodes_of_kind(Node_kind::EQUALIZED));
+    const Region_hierarchy_2<TypeParam, Spiral> tree(random_spirals(420, 20), eps,
+                                                     nodes_of_kind(Build_options::Nodes::EQUALIZED));
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     EXPECT_LE(tree.bound(), eps);
     expect_tiles(tree, eps);
@@ -66,7 +67,7 @@ template <class Traits> void expect_few_leaves(double factor) {
   for (const auto& curve : bundled_curves()) {
     double least = 0;
     for (const Spiral& s : curve.spirals) least += std::cbrt(factor / EPS) * slope_integral(s);
-    const Region_hierarchy_2<Traits, Spiral> tree(curve.spirals, EPS, nodes_of_kind(Node_kind::EQUALIZED));
+    const Region_hierarchy_2<Traits, Spiral> tree(curve.spirals, EPS, nodes_of_kind(Build_options::Nodes::EQUALIZED));
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     EXPECT_LE(static_cast<double>(tree.number_of_leaves()), 1.03 * least + static_cast<double>(curve.spirals.size()))
         << curve.name;
@@ -80,7 +81,7 @@ TEST(OptimalTree, HasFewLeavesOnBundledCurves) {
 }
 
 TEST(OptimalTree, HasOneLeafASegmentWhereThatIsEnough) {
-  const Bca_tree tree(random_spirals(421, 20), 1e3, nodes_of_kind(Node_kind::EQUALIZED));
+  const Bca_tree tree(random_spirals(421, 20), 1e3, nodes_of_kind(Build_options::Nodes::EQUALIZED));
   EXPECT_EQ(tree.number_of_leaves(), tree.spirals().size());
   expect_tiles(tree, 1e3);
 }
@@ -88,7 +89,7 @@ TEST(OptimalTree, HasOneLeafASegmentWhereThatIsEnough) {
 TEST(OptimalTree, IsEmptyOverTheLimit) {
   Build_options options;
   options.max_nodes = 100;
-  options.nodes = Node_kind::EQUALIZED;
+  options.nodes = Build_options::Nodes::EQUALIZED;
   const Bca_tree tree(random_spirals(422, 20), 1e-6, options);
   EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
   EXPECT_EQ(tree.number_of_leaves() + tree.spirals().size(), 0u);
@@ -97,7 +98,7 @@ TEST(OptimalTree, IsEmptyOverTheLimit) {
 TEST(OptimalTree, StopsWhereCoordinatesResolveNoMore) {
   std::vector<Spiral> spirals = random_spirals(423, 2);
   if (FEW_CASES) spirals.resize(1, spirals.front());
-  const Bca_tree tree(spirals, 1e-300, nodes_of_kind(Node_kind::EQUALIZED));
+  const Bca_tree tree(spirals, 1e-300, nodes_of_kind(Build_options::Nodes::EQUALIZED));
   EXPECT_EQ(tree.status(), Build_status::RESOLUTION_REACHED);
   EXPECT_GE(tree.number_of_leaves(), spirals.size());
 }
@@ -107,7 +108,8 @@ TEST(OptimalTree, HoldsSegmentsOfAFewUlps) {
   const Spiral s = random_spirals(424, 1).front();
   const double last = std::nextafter(std::nextafter(0.5, 1), 1);
   const auto curve = std::make_shared<const Tabulated_bezier<double>>(s.curve());
-  const Bca_tree tree({Spiral(curve, 0.5, last, End_orders{1, 1}, false)}, 1e-6, nodes_of_kind(Node_kind::EQUALIZED));
+  const Bca_tree tree({Spiral(curve, 0.5, last, End_orders{1, 1}, false)}, 1e-6,
+                      nodes_of_kind(Build_options::Nodes::EQUALIZED));
   EXPECT_EQ(tree.number_of_leaves(), 1u);
 }
 

@@ -56,8 +56,8 @@ TYPED_TEST(SegmentRegions, AreTheSameBitsSideBySideAsOneByOne) {
       expect_same(all.x, one.x);
       expect_same(all.y, one.y);
       for (const auto side : {&Region_columns::inner, &Region_columns::outer})
-        for (const auto column : {&ba::Side_columns::bulge, &ba::Side_columns::joint_x, &ba::Side_columns::joint_y,
-                                  &ba::Side_columns::second_bulge})
+        for (const auto column : {&ba::Region_columns::Side::bulge, &ba::Region_columns::Side::joint_x,
+                                  &ba::Region_columns::Side::joint_y, &ba::Region_columns::Side::second_bulge})
           expect_same((all.*side).*column, (one.*side).*column);
       ++(count <= 2 ? few : many);
       coarse += all.widening[i] > 64 * ba::ulp_of(tree.spirals()[i].coordinate_size()) ? 1 : 0;

@@ -24,7 +24,6 @@ namespace {
 using namespace bounding_arcs_test;
 using CGAL::Bounding_arcs::Build_options;
 using CGAL::Bounding_arcs::Node_handle;
-using CGAL::Bounding_arcs::Node_kind;
 using Exact_kernel = Circular<CGAL::Cartesian<CGAL::Exact_rational>>;
 
 struct Curves {
@@ -68,7 +67,7 @@ template <class Traits> void expect_same_nodes(const std::vector<double>& tolera
   std::size_t by_filter = 0;
   for (const Curves& c : curves())
     for (const double eps : tolerances)
-      for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED}) {
+      for (const Build_options::Nodes kind : {Build_options::Nodes::STORED, Build_options::Nodes::EQUALIZED}) {
         Build_options with = nodes_of_kind(kind), without = with, plain = with;
         without.instruction_set = ba::Instruction_set::NONE;
         plain.is_filtered = false;

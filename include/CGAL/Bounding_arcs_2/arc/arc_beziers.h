@@ -17,6 +17,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// The point of an arc that comes after its share with the bulge `part`, and the bulge of the rest, over a field.
 ///
 /// The chord to that point is the whole one turned by the difference of the angles between chords and tangents,
@@ -34,6 +35,7 @@ template <class NT>
   const Xy<NT> chord = to - from;
   return {from + share * (cosine * chord + sine * perp(chord)), NT((bulge - part) / (one + bulge * part))};
 }
+}  // namespace internal
 
 /// The arc `from` -> `to` that turns by 4 atan(bulge), to the left for a positive bulge, as one curve for at most a
 /// quarter of a circle, else two; of degree 1 for a bulge of 0.
@@ -56,7 +58,7 @@ template <class NT>
     add(from, to, bulge);
   } else {
     const NT half(bulge < NT(0) ? -0.375 : 0.375);  // near half of half a circle; less than any bulge that comes here
-    const Arc_cut<NT> cut = cut_arc<NT>(from, to, bulge, half);
+    const internal::Arc_cut<NT> cut = internal::cut_arc<NT>(from, to, bulge, half);
     add(from, cut.point, half);
     add(cut.point, to, cut.rest);
   }

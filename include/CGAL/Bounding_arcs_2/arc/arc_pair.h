@@ -32,6 +32,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// What both ways of a pair of arcs have in common of one of them.
 struct Arc_form {
   Xy<double> chord;
@@ -85,6 +86,7 @@ struct Arc_form {
   };
   return apart(a.from.x, a.to.x, b.from.x, b.to.x) || apart(a.from.y, a.to.y, b.from.y, b.to.y);
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -84,12 +84,6 @@ class Arr_curve_2 {
   return result;
 }
 
-/// An end of a part of a curve.
-struct Arr_curve_end {
-  Arr_point_2 point;
-  Bracket t;  ///< holds the parameter
-};
-
 /// A part of a Bezier piece that is monotone in x, or upright and monotone in y.
 /// \code
 /// const Arr_x_monotone_curve_2& part = edge->curve();
@@ -97,19 +91,24 @@ struct Arr_curve_end {
 /// \endcode
 class Arr_x_monotone_curve_2 {
  public:
+  /// An end of a part of a curve.
+  struct End {
+    Arr_point_2 point;
+    Bracket t;  ///< holds the parameter
+  };
+
   Arr_x_monotone_curve_2() = default;
   /// For functors of the traits.
   /// \param branch which monotone part of the whole piece it is of, and whether parameters rise to the right there
-  Arr_x_monotone_curve_2(internal::Arranged_curve_handle curve, std::size_t branch, bool is_rising, Arr_curve_end left,
-                         Arr_curve_end right)
+  Arr_x_monotone_curve_2(internal::Arranged_curve_handle curve, std::size_t branch, bool is_rising, End left, End right)
       : curve_(std::move(curve)), branch_(branch), left_(std::move(left)), right_(std::move(right)),
         is_rising_(is_rising), is_directed_right_(is_rising) {}
 
   /// The piece that it is a part of.
   [[nodiscard]] Arr_curve_2 curve() const { return Arr_curve_2(curve_); }
   /// The ends, lexicographically, and brackets of their parameters on the piece.
-  [[nodiscard]] const Arr_curve_end& left_end() const { return left_; }
-  [[nodiscard]] const Arr_curve_end& right_end() const { return right_; }
+  [[nodiscard]] const End& left_end() const { return left_; }
+  [[nodiscard]] const End& right_end() const { return right_; }
   [[nodiscard]] const Arr_point_2& left() const { return left_.point; }
   [[nodiscard]] const Arr_point_2& right() const { return right_.point; }
   [[nodiscard]] const Bracket& left_parameter() const { return left_.t; }
@@ -130,7 +129,7 @@ class Arr_x_monotone_curve_2 {
     return result;
   }
   /// The part between two points of it, lexicographically.
-  [[nodiscard]] Arr_x_monotone_curve_2 part(const Arr_curve_end& left, const Arr_curve_end& right) const {
+  [[nodiscard]] Arr_x_monotone_curve_2 part(const End& left, const End& right) const {
     Arr_x_monotone_curve_2 result = *this;
     result.left_ = left;
     result.right_ = right;
@@ -140,7 +139,7 @@ class Arr_x_monotone_curve_2 {
  private:
   internal::Arranged_curve_handle curve_;
   std::size_t branch_ = 0;
-  Arr_curve_end left_, right_;
+  End left_, right_;
   bool is_rising_ = true, is_directed_right_ = true;
 };
 

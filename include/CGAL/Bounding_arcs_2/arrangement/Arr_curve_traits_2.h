@@ -143,8 +143,8 @@ class Arr_curve_traits_2 {
     template <class OutputIterator> OutputIterator operator()(const Curve_2& curve, OutputIterator out) const {
       using Result = Variant<Point_2, X_monotone_curve_2>;
       const auto parts = internal::x_monotone_parts(curve);
-      if (parts.empty()) *out++ = as_result<Result>(Point_2(curve.data()->start()));
-      for (const X_monotone_curve_2& part : parts) *out++ = as_result<Result>(part);
+      if (parts.empty()) *out++ = internal::as_result<Result>(Point_2(curve.data()->start()));
+      for (const X_monotone_curve_2& part : parts) *out++ = internal::as_result<Result>(part);
       return out;
     }
   };
@@ -153,7 +153,7 @@ class Arr_curve_traits_2 {
     /// \pre p is on the curve, and no end of it
     void operator()(const X_monotone_curve_2& c, const Point_2& p, X_monotone_curve_2& left,
                     X_monotone_curve_2& right) const {
-      const Arr_curve_end at{p, internal::parameter_at(c, p)};
+      const Arr_x_monotone_curve_2::End at{p, internal::parameter_at(c, p)};
       const X_monotone_curve_2 whole = c;
       left = whole.part(whole.left_end(), at);
       right = whole.part(at, whole.right_end());
@@ -169,10 +169,10 @@ class Arr_curve_traits_2 {
       using Point = std::pair<Point_2, Multiplicity>;
       using Result = Variant<Point, X_monotone_curve_2>;
       for (const internal::Arr_common_part& common : internal::common_parts(c, d, meetings())) {
-        if (!common.part) *out++ = as_result<Result>(Point(common.point, common.multiplicity));
+        if (!common.part) *out++ = internal::as_result<Result>(Point(common.point, common.multiplicity));
         else if (c.is_directed_right() == d.is_directed_right() || common.part->is_directed_right())
-          *out++ = as_result<Result>(*common.part);
-        else *out++ = as_result<Result>(common.part->opposite());
+          *out++ = internal::as_result<Result>(*common.part);
+        else *out++ = internal::as_result<Result>(common.part->opposite());
       }
       return out;
     }

@@ -30,41 +30,12 @@ enum class Boolean_operation : std::uint8_t {
   SYMMETRIC_DIFFERENCE  ///< what an odd number of them fills
 };
 
-/// A part of one Bezier piece.
-struct Outline_part {
-  std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
-  std::uint32_t curve = 0;    ///< of that drawing
-  std::uint32_t bezier = 0;   ///< of that curve
-  Bracket from, to;           ///< hold the parameters of start and end, which may be nearer than doubles tell
-  bool is_reversed = false;   ///< whether the chain runs against the curve: `from` is above `to`
-  Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Outline_part& answer) {
-    return out << answer.operand << ' ' << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' '
-               << answer.to << ' ' << answer.start << ' ' << answer.end;
-  }
-};
-
-/// A closed chain that does not meet itself but at single vertices.
-struct Outline_chain {
-  std::vector<Outline_part> parts;    ///< each starts where the one before ends, the first where the last one ends
-  bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
-  std::optional<std::size_t> parent;  ///< the innermost chain around it
-
-  /// Writes a line for each part.
-  friend std::ostream& operator<<(std::ostream& out, const Outline_chain& all) {
-    for (const Outline_part& one : all.parts) out << one << '\n';
-    return out;
-  }
-};
-
 /// The boundary of a region, as unite(), intersection(), difference() and symmetric_difference() return it: closed
 /// chains with the region to their left.
 /// \code
 /// const Outline_2 united = unite(tree, other);  // trees of closed curves, boolean_operations.h
-/// for (const Outline_chain& chain : united.chains)
-///   for (const Outline_part& part : chain.parts) std::cout << part.start.x << ' ' << part.start.y << '\n';
+/// for (const Outline_2::Chain& chain : united.chains)
+///   for (const Outline_2::Part& part : chain.parts) std::cout << part.start.x << ' ' << part.start.y << '\n';
 /// \endcode
 /// Chains are made of parts of the given curves; nothing is fitted. A part names its curve, and has a bracket of the
 /// parameter at each end. Chains round regions run counterclockwise, chains round holes clockwise, and `parent` nests
@@ -77,23 +48,46 @@ struct Outline_chain {
 /// The new drawing can be combined, offset and written. Take clip() to cut open curves by a region, and overlay() for
 /// all faces and not one region.
 struct Outline_2 {
-  std::vector<Outline_chain> chains;
-  Outline_status status = Outline_status::COMPLETE;
-  std::optional<Undecided_meeting> undecided;  ///< the first one, where `status` is UNDECIDED and that is known
+  using Status = Overlay_2::Status;
+
+  /// A part of one Bezier piece.
+  struct Part {
+    std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
+    std::uint32_t curve = 0;    ///< of that drawing
+    std::uint32_t bezier = 0;   ///< of that curve
+    Bracket from, to;           ///< hold the parameters of start and end, which may be nearer than doubles tell
+    bool is_reversed = false;   ///< whether the chain runs against the curve: `from` is above `to`
+    Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Part& answer) {
+      return out << answer.operand << ' ' << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' '
+                 << answer.to << ' ' << answer.start << ' ' << answer.end;
+    }
+  };
+
+  /// A closed chain that does not meet itself but at single vertices.
+  struct Chain {
+    std::vector<Part> parts;            ///< each starts where the one before ends, the first where the last one ends
+    bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
+    std::optional<std::size_t> parent;  ///< the innermost chain around it
+
+    /// Writes a line for each part.
+    friend std::ostream& operator<<(std::ostream& out, const Chain& all) {
+      for (const Part& one : all.parts) out << one << '\n';
+      return out;
+    }
+  };
+
+  std::vector<Chain> chains;
+  Status status = Status::COMPLETE;
+  std::optional<Overlay_2::Undecided> undecided;  ///< the first one, where `status` is UNDECIDED and that is known
 
   /// Writes a line for each part of each chain, and an empty line behind the chain.
   friend std::ostream& operator<<(std::ostream& out, const Outline_2& all) {
-    for (const Outline_chain& one : all.chains) out << one << '\n';
+    for (const Chain& one : all.chains) out << one << '\n';
     return out;
   }
-};
-
-/// How an outline becomes a drawing.
-struct Outline_drawing_options {
-  /// Leaves out parts that doubles do not tell from a point, and chains of which nothing else is there. Such a part has
-  /// no direction for whoever reads the drawing, and another operation would cut it again. Leaves out chains, too, that
-  /// bound nothing when they are rounded, as they run along a line and back.
-  bool drops_tiny_parts = true;
 };
 
 /// An outline as a drawing in doubles, and what that is of.
@@ -102,6 +96,14 @@ struct Outline_drawing_options {
 /// std::cout << rest.drawing.curves().size() << " curves, moved by " << rest.moved << " at most\n";
 /// \endcode
 struct Drawn_outline {
+  /// How an outline becomes a drawing.
+  struct Options {
+    /// Leaves out parts that doubles do not tell from a point, and chains of which nothing else is there. Such a part
+    /// has no direction for whoever reads the drawing, and another operation would cut it again. Leaves out chains, too,
+    /// that bound nothing when they are rounded, as they run along a line and back.
+    bool drops_tiny_parts = true;
+  };
+
   Drawing_2<double> drawing;  ///< piece k of curve i is part k of chain i of `outline`
   Outline_2 outline;          ///< what is drawn: the outline without parts and chains that were left out
   double moved = 0;  ///< no point of a chain that is drawn is farther from its curve, and none of the curve farther
@@ -160,7 +162,7 @@ struct Drawn_outline {
 ///   numbers are no doubles. Points of the plane that are farther than that from the outline keep their side
 /// \complexity linear in the number of parts
 [[nodiscard]] Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                          const Outline_2& outline, const Outline_drawing_options& options = {});
+                                          const Outline_2& outline, const Drawn_outline::Options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
-#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>
@@ -21,34 +21,36 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A part of one Bezier piece on one side of a region.
-struct Clipped_part {
-  std::uint32_t curve = 0;                ///< of the drawing
-  std::uint32_t bezier = 0;               ///< of that curve
-  Bracket from, to;                       ///< hold the parameters of start and end, which rise
-  Xy<double> start, end;                  ///< these points but for rounding; parts of a piece share them bit for bit
-  Bounded_side side = ON_UNBOUNDED_SIDE;  ///< on the boundary: along a curve of the region, whatever that fills
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Clipped_part& answer) {
-    return out << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' ' << answer.to << ' ' << answer.start
-               << ' ' << answer.end;
-  }
-};
-
 /// All parts of some curves, in the order of the curves. The parts of a piece cover it.
 /// \code
-/// for (const Clipped_part& part : clip(hatching, region).parts)  // clip.h
+/// for (const Clipped_2::Part& part : clip(hatching, region).parts)  // clip.h
 ///   if (part.side == CGAL::ON_BOUNDED_SIDE) std::cout << part.start << " to " << part.end << '\n';
 /// \endcode
 struct Clipped_2 {
-  std::vector<Clipped_part> parts;
-  Outline_status status = Outline_status::COMPLETE;
-  std::optional<Undecided_meeting> undecided;  ///< the first one, of curves as operand 0 and the region as operand 1
+  using Status = Overlay_2::Status;
+
+  /// A part of one Bezier piece on one side of a region.
+  struct Part {
+    std::uint32_t curve = 0;                ///< of the drawing
+    std::uint32_t bezier = 0;               ///< of that curve
+    Bracket from, to;                       ///< hold the parameters of start and end, which rise
+    Xy<double> start, end;                  ///< these points but for rounding; parts of a piece share them bit for bit
+    Bounded_side side = ON_UNBOUNDED_SIDE;  ///< on the boundary: along a curve of the region, whatever that fills
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Part& answer) {
+      return out << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' ' << answer.to << ' '
+                 << answer.start << ' ' << answer.end;
+    }
+  };
+
+  std::vector<Part> parts;
+  Status status = Status::COMPLETE;
+  std::optional<Overlay_2::Undecided> undecided;  ///< the first one, of curves as operand 0 and the region as operand 1
 
   /// Writes a line for each part.
   friend std::ostream& operator<<(std::ostream& out, const Clipped_2& all) {
-    for (const Clipped_part& one : all.parts) out << one << '\n';
+    for (const Part& one : all.parts) out << one << '\n';
     return out;
   }
 };
@@ -66,7 +68,7 @@ struct Clipped_2 {
 
 /// Returns a part as a curve: cut out in doubles, with the part's ends bit for bit.
 /// \param drawing that of the tree that was clipped
-[[nodiscard]] Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_part& part);
+[[nodiscard]] Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_2::Part& part);
 
 }  // namespace CGAL::Bounding_arcs
 

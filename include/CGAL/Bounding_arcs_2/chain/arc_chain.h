@@ -19,51 +19,52 @@ namespace CGAL::Bounding_arcs {
 
 // One arc or segment of a chain that approximates a curve, given by its ends and its bulge as in DXF files.
 
-/// An arc or a segment of a chain, and what it stands for.
-struct Chain_arc_2 : Arc_2 {
-  double t0 = 0, t1 = 0;   ///< the piece of curve that it stands for
-  double error = 0;        ///< at least the distance between the two, see arc_chain
-  std::size_t spiral = 0;  ///< the index of that piece's spiral segment
-};
-
-/// What a chain of arcs does where two arcs meet inside a smooth piece of the curve.
-enum class Continuity {
-  POSITION,  ///< meets: one arc a piece, both ends on the curve
-  TANGENT    ///< meets with a common tangent: a biarc a piece, with the curve's ends and tangents
-};
-
-/// The side of the curve, seen along it, on which a chain runs.
-enum class Chain_side { BOTH, LEFT, RIGHT };
-
-/// How a curve becomes a chain of arcs.
-/// \code
-/// Arc_chain_options options;
-/// options.continuity = Continuity::POSITION;  // fewer arcs, with corners
-/// const Arc_chain chain = arc_chain(tree, 1e-4, options);
-/// \endcode
-struct Arc_chain_options {
-  Continuity continuity = Continuity::TANGENT;
-  Chain_side side = Chain_side::BOTH;
-  std::size_t max_arcs = 20'000'000;
-  Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
-};
-
 /// Few circular arcs and segments within a tolerance of curves, as arc_chain() returns them. CAD programs and machines
 /// read these where they do not read splines.
 /// \code
 /// const Arc_chain chain = arc_chain(tree, 1e-4);
-/// for (const Chain_arc_2& arc : chain.arcs) std::cout << arc.from.x << ' ' << arc.from.y << ' ' << arc.bulge << '\n';
+/// for (const Arc_chain::Arc& arc : chain.arcs) std::cout << arc.from.x << ' ' << arc.from.y << ' ' << arc.bulge <<
+/// '\n';
 /// \endcode
 /// An arc is given by its ends and its bulge, the tangent of a quarter of its angle, as in DXF; radius() and center()
 /// of Arc_2.h are rounded. Each arc has a certified bound of its distance from the piece of curve that it stands for.
 /// If `status` is COMPLETE, all bounds are at most eps.
 ///
-/// By default arcs meet with common tangents and lie on both sides of the curve. Take Continuity::POSITION for about
-/// two thirds as many arcs, with corners of small angles. Take Chain_side::LEFT or RIGHT where the chain must not cross
-/// the curve; that takes more arcs.
+/// By default arcs meet with common tangents and lie on both sides of the curve. Take Arc_chain::Continuity::POSITION
+/// for about two thirds as many arcs, with corners of small angles. Take Arc_chain::Side::LEFT or RIGHT where the chain
+/// must not cross the curve; that takes more arcs.
 struct Arc_chain {
-  std::vector<Chain_arc_2> arcs;  ///< in curve order
-  double error = 0;               ///< the largest of an arc
+  /// An arc or a segment of a chain, and what it stands for.
+  struct Arc : Arc_2 {
+    double t0 = 0, t1 = 0;   ///< the piece of curve that it stands for
+    double error = 0;        ///< at least the distance between the two, see arc_chain
+    std::size_t spiral = 0;  ///< the index of that piece's spiral segment
+  };
+
+  /// What a chain of arcs does where two arcs meet inside a smooth piece of the curve.
+  enum class Continuity {
+    POSITION,  ///< meets: one arc a piece, both ends on the curve
+    TANGENT    ///< meets with a common tangent: a biarc a piece, with the curve's ends and tangents
+  };
+
+  /// The side of the curve, seen along it, on which a chain runs.
+  enum class Side { BOTH, LEFT, RIGHT };
+
+  /// How a curve becomes a chain of arcs.
+  /// \code
+  /// Arc_chain::Options options;
+  /// options.continuity = Arc_chain::Continuity::POSITION;  // fewer arcs, with corners
+  /// const Arc_chain chain = arc_chain(tree, 1e-4, options);
+  /// \endcode
+  struct Options {
+    Continuity continuity = Continuity::TANGENT;
+    Side side = Side::BOTH;
+    std::size_t max_arcs = 20'000'000;
+    Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
+  };
+
+  std::vector<Arc> arcs;  ///< in curve order
+  double error = 0;       ///< the largest of an arc
   Build_status status = Build_status::COMPLETE;
 };
 
@@ -87,10 +88,10 @@ template <class NT> class Bezier_spiral_2;
 ///   close to the least, see doc/arcs.md
 /// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of
 ///   others
-[[nodiscard]] Arc_chain arc_chain(const Bounding_arc_tree_2& tree, double eps, const Arc_chain_options& options = {});
+[[nodiscard]] Arc_chain arc_chain(const Bounding_arc_tree_2& tree, double eps, const Arc_chain::Options& options = {});
 /// Returns arcs that follow spiral segments in hand, of one curve or of several. See above.
 [[nodiscard]] Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
-                                  const Arc_chain_options& options = {});
+                                  const Arc_chain::Options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -35,7 +35,7 @@ namespace CGAL::Bounding_arcs {
 /// \throws std::invalid_argument for an eps that is not positive
 template <class Traits, class Spiral>
 [[nodiscard]] Arc_chain arc_chain(const Region_hierarchy_2<Traits, Spiral>& regions, double eps,
-                                  std::size_t max_arcs = Arc_chain_options().max_arcs) {
+                                  std::size_t max_arcs = Arc_chain::Options().max_arcs) {
   static_assert(std::is_same_v<typename Traits::FT, double>, "arc_chain takes regions over double");
   check_above_zero("eps", eps);
   Arc_chain chain;
@@ -47,14 +47,14 @@ template <class Traits, class Spiral>
       const Arc_region_2 region = regions.bounding_arcs(i, t0, t1);
       target = (std::max)(eps, RESOLVED * region.widening);
       const Fat_arc_2 fat = fat_arc(region);
-      return Chain_arc_2{fat.arc, t0, t1, fat.radius, i};
+      return Arc_chain::Arc{fat.arc, t0, t1, fat.radius, i};
     };
     double step = last - first;
     for (double t = first; t < last;) {
       // The error grows with the cube of the length.
       constexpr double SHORTER = 0.97, LEAST = 0.125, MOST = 2;
       const auto scale = [&](double error) { return std::clamp(SHORTER * std::cbrt(target / error), LEAST, MOST); };
-      Chain_arc_2 arc = arc_of(t, t + step < last ? t + step : last);
+      Arc_chain::Arc arc = arc_of(t, t + step < last ? t + step : last);
       while (!(arc.error <= target)) {
         const double next = t + (arc.t1 - t) * (std::min)(SHORTER, scale(arc.error));
         if (!(t < next && next < arc.t1)) break;

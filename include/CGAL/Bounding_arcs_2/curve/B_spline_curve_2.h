@@ -169,9 +169,9 @@ template <class NT> class B_spline_curve_2 {
     knots_ = std::move(knots);
   }
   /// Takes a range of points of any kernel, see points_of_kernel.
-  template <class Points, class = Kernel_of_range<Points>>
+  template <class Points, class = internal::Kernel_of_range<Points>>
   B_spline_curve_2(int degree, const Points& points, std::vector<NT> knots, std::vector<NT> weights = {})
-      : B_spline_curve_2(degree, points_of_kernel<NT>(points), std::move(knots), std::move(weights)) {}
+      : B_spline_curve_2(degree, internal::points_of_kernel<NT>(points), std::move(knots), std::move(weights)) {}
 
   /// The non-periodic curve with the knots 0, 1, 2, ...: unclamped, points.size() - degree pieces, so that it does not
   /// start or end at a control point when the degree exceeds 1.

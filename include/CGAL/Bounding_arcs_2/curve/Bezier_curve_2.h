@@ -52,9 +52,9 @@ template <class NT> class Bezier_curve_2 {
   }
 
   /// Takes a range of points of any kernel, see points_of_kernel.
-  template <class Points, class = Kernel_of_range<Points>>
+  template <class Points, class = internal::Kernel_of_range<Points>>
   explicit Bezier_curve_2(const Points& points, std::vector<NT> weights = {})
-      : Bezier_curve_2(points_of_kernel<NT>(points), std::move(weights)) {}
+      : Bezier_curve_2(internal::points_of_kernel<NT>(points), std::move(weights)) {}
 
   [[nodiscard]] int degree() const { return static_cast<int>(control_points().size()) - 1; }
   [[nodiscard]] bool is_rational() const { return !weights().empty(); }

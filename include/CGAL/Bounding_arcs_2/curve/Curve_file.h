@@ -39,21 +39,19 @@ struct Input_error : std::runtime_error {
   Input_error(const std::string& file, const std::string& place, const std::string& reason);
 };
 
-/// A colour as a DXF file has it: the number of one of AutoCAD's, any other one beside it, or none.
-struct Curve_colour {
-  int number = 0;  ///< 1 to 255, of which 7 is black on white and white on black; 0 for none
-  int rgb = -1;    ///< 0xRRGGBB; -1 where the number tells all
-
-  friend bool operator==(const Curve_colour& a, const Curve_colour& b) {
-    return a.number == b.number && a.rgb == b.rgb;
-  }
-};
-
 /// A curve as its file gives it.
 /// \code
 /// for (const Curve_record& record : read_curves("shape.svg")) std::cout << record.name << '\n';
 /// \endcode
 struct Curve_record {
+  /// A colour as a DXF file has it: the number of one of AutoCAD's, any other one beside it, or none.
+  struct Colour {
+    int number = 0;  ///< 1 to 255, of which 7 is black on white and white on black; 0 for none
+    int rgb = -1;    ///< 0xRRGGBB; -1 where the number tells all
+
+    friend bool operator==(const Colour& a, const Colour& b) { return a.number == b.number && a.rgb == b.rgb; }
+  };
+
   enum Type {
     BEZIER,   ///< degree + 1 control points
     BSPLINE,  ///< polynomial B-spline
@@ -68,9 +66,9 @@ struct Curve_record {
     UNKNOWN     ///< a style sheet, which is not read, may have the file fill it so or not
   };
 
-  std::string name;     ///< need not be unique in a file
-  std::string layer;    ///< of a DXF file, or of an SVG file from Inkscape, as it is spelled there; empty for none
-  Curve_colour colour;  ///< that is seen: of an entity or its layer, the stroke of a shape or else its fill
+  std::string name;   ///< need not be unique in a file
+  std::string layer;  ///< of a DXF file, or of an SVG file from Inkscape, as it is spelled there; empty for none
+  Colour colour;      ///< that is seen: of an entity or its layer, the stroke of a shape or else its fill
   Type type = BEZIER;
   int degree = 1;                          ///< of a path, the greatest of its pieces
   std::vector<Xy<double>> control_points;  ///< Euclidean, not multiplied by the weights; empty for a path
@@ -89,67 +87,68 @@ struct Curve_record {
                          ///< the digits of the angles of a DXF file's arc
 };
 
-/// Several things of one kind that a file has and the reader left out, or took otherwise than they stand there.
-struct Reading_note {
-  std::size_t count = 0;  ///< how many, at least 1
-  std::string what;       ///< their kind in the singular, as the file calls it: "MTEXT", "text", "CIRCLE"
-  std::string reason;     ///< why, in a clause: "has no curve", "on a layer that is off", "radius 0"
-  bool is_read = false;   ///< they were read, otherwise than they stand there
-};
-
-/// The note as text: "2 MTEXT: no curve".
-[[nodiscard]] std::string text_of(const Reading_note& note);
-
-/// All notes in one line: "left out: 2 MTEXT: no curve; 1 CIRCLE: radius 0; read all the same: 1 file: no EOF".
-[[nodiscard]] std::string text_of(const std::vector<Reading_note>& notes);
-
-/// What a reader takes of a drawing beside what a CAD program or browser shows of it.
-struct Reading_options {
-  bool with_hidden = false;  ///< entities that are invisible or not displayed, or on layers that are off or frozen
-  bool with_paper = false;   ///< entities in paper space: frames and titles of sheets
-  std::optional<Fill_rule> rule = {};    ///< what closed curves enclose, whatever the file says
-  std::vector<std::string> layers = {};  ///< of DXF, in any case of letters: notes tell of these alone; of all if empty
-};
-
-/// The part of the plane that an SVG file shows, and how large.
-struct Page {
-  double x = 0, y = 0, width = 0, height = 0;  ///< its viewBox, or what its width and height tell without one
-  std::string view_box;                        ///< as the file has it; empty for none
-  std::string shown_width, shown_height;       ///< its width and height, likewise
-  std::string aspect_ratio;                    ///< its preserveAspectRatio, likewise
-};
-
 /// A file that was read: its curves, what its closed curves enclose, and what it has beside them.
 /// \code
 /// const Curve_file file = read_curve_file("part.dxf");
 /// if (!file.notes.empty()) std::cerr << text_of(file.notes) << '\n';
 /// const Bounding_arc_tree_2 tree(drawing<double>(file.curves));
-/// Offset_options options;
+/// Offset::Options options;
 /// options.rule = file.rule;
 /// const Offset inset = offset(tree, -0.1, 1e-4, options);
 /// \endcode
 struct Curve_file {
+  /// Several things of one kind that a file has and the reader left out, or took otherwise than they stand there.
+  struct Note {
+    std::size_t count = 0;  ///< how many, at least 1
+    std::string what;       ///< their kind in the singular, as the file calls it: "MTEXT", "text", "CIRCLE"
+    std::string reason;     ///< why, in a clause: "has no curve", "on a layer that is off", "radius 0"
+    bool is_read = false;   ///< they were read, otherwise than they stand there
+  };
+
+  /// What a reader takes of a drawing beside what a CAD program or browser shows of it.
+  struct Options {
+    bool with_hidden = false;  ///< entities that are invisible or not displayed, or on layers that are off or frozen
+    bool with_paper = false;   ///< entities in paper space: frames and titles of sheets
+    std::optional<Fill_rule> rule = {};  ///< what closed curves enclose, whatever the file says
+    std::vector<std::string> layers =
+        {};  ///< of DXF, in any case of letters: notes tell of these alone; of all if empty
+  };
+
+  /// The part of the plane that an SVG file shows, and how large.
+  struct Page {
+    double x = 0, y = 0, width = 0, height = 0;  ///< its viewBox, or what its width and height tell without one
+    std::string view_box;                        ///< as the file has it; empty for none
+    std::string shown_width, shown_height;       ///< its width and height, likewise
+    std::string aspect_ratio;                    ///< its preserveAspectRatio, likewise
+  };
+
   std::vector<Curve_record> curves;     ///< none only where a JSON file has an empty list of "curves"
   Fill_rule rule = Fill_rule::NONZERO;  ///< even-odd for DXF, whose curves have no direction that means anything;
                                         ///< the `fill-rule` of those shapes of an SVG file for which it matters;
                                         ///< else nonzero, or what the options ask for
-  std::vector<Reading_note> notes;      ///< what was left out, in a fixed order; empty where all was read
+  std::vector<Note> notes;              ///< what was left out, in a fixed order; empty where all was read
   double unit_in_mm = 0;                ///< the length of a unit of the coordinates; 0 where the file tells none
   double rounding = 0;  ///< how far ends may be apart that are the same but for the digits of a DXF or SVG file; 0 for
                         ///< JSON, whose curves are what its writer numbered
   std::optional<Page> page = {};  ///< of an SVG file that tells one
 };
 
+/// The note as text: "2 MTEXT: no curve".
+[[nodiscard]] std::string text_of(const Curve_file::Note& note);
+
+/// All notes in one line: "left out: 2 MTEXT: no curve; 1 CIRCLE: radius 0; read all the same: 1 file: no EOF".
+[[nodiscard]] std::string text_of(const std::vector<Curve_file::Note>& notes);
+
 /// Reads a file in JSON, SVG or DXF, told apart by how it begins.
 /// \param path the file; "-" reads standard input
 /// \throws Input_error when the file cannot be read, is not well-formed, or is a drawing without a curve
-[[nodiscard]] Curve_file read_curve_file(const std::string& path, const Reading_options& options = {});
+[[nodiscard]] Curve_file read_curve_file(const std::string& path, const Curve_file::Options& options = {});
 
 /// Reads a text that is in memory, as read_curve_file does.
 /// \param file what errors call the file
 /// \param stem the name of curves without one
 [[nodiscard]] Curve_file read_curve_file_from_text(const std::string& text, const std::string& file,
-                                                   const std::string& stem, const Reading_options& options = {});
+                                                   const std::string& stem, const Curve_file::Options& options = {});
 
 /// Returns the curves of a file alone. \throws Input_error as read_curve_file
 [[nodiscard]] inline std::vector<Curve_record> read_curves(const std::string& path) {

@@ -99,6 +99,7 @@ class Unit {
     for (const auto& piece : curve.beziers) size = (std::max)(size, coordinate_size(piece));
   return size;
 }
+namespace internal {
 /// Returns the unit of a curve's weights, of which only ratios matter.
 template <class NT> [[nodiscard]] Unit unit_of_weights(const Bezier_curve_2<NT>& curve) {
   double most = 0;
@@ -154,6 +155,7 @@ template <class NT> [[nodiscard]] Drawing_2<NT> scaled(const Drawing_2<NT>& draw
       if (!is_ordinary(unit, piece)) return false;
   return true;
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

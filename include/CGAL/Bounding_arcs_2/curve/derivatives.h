@@ -19,6 +19,7 @@ namespace CGAL::Bounding_arcs {
 /// The point of a curve and the first two derivatives there.
 template <class NT> struct End_jet_2 { Xy<NT> point, first, second; };
 
+namespace internal {
 /// Taylor coefficients b_k = binomial(degree, k) Delta^k about t of a Bernstein polynomial, k = 0 .. count - 1.
 template <class NT, class T>
 [[nodiscard]] std::vector<T> taylor_coefficients(std::vector<T> row, const NT& t, std::size_t count) {
@@ -40,6 +41,7 @@ template <class NT, class T>
   }
   return result;
 }
+}  // namespace internal
 
 /// The Taylor coefficients C^(k)(t) / k!, k = 0 .. order.
 /// \guarantee exact over a field; over double each is a sum of differences of the control points
@@ -47,13 +49,13 @@ template <class NT, class T>
 template <class NT>
 [[nodiscard]] std::vector<Xy<NT>> taylor_expansion(const Bezier_curve_2<NT>& curve, const NT& t, int order) {
   const auto count = static_cast<std::size_t>(order) + 1;
-  if (!curve.is_rational()) return taylor_coefficients(curve.control_points(), t, count);
+  if (!curve.is_rational()) return internal::taylor_coefficients(curve.control_points(), t, count);
   std::vector<Xy<NT>> numerator;
   const Xy<NT> origin = curve.control_points().front();  // keeps the products small
   for (std::size_t i = 0; i < curve.control_points().size(); ++i)
     numerator.push_back(curve.weights()[i] * (curve.control_points()[i] - origin));
-  const auto a = taylor_coefficients(std::move(numerator), t, count);
-  const auto w = taylor_coefficients(curve.weights(), t, count);
+  const auto a = internal::taylor_coefficients(std::move(numerator), t, count);
+  const auto w = internal::taylor_coefficients(curve.weights(), t, count);
   std::vector<Xy<NT>> c;
   for (std::size_t k = 0; k < count; ++k) {
     Xy<NT> rest = a[k];

@@ -19,24 +19,24 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A curve that became a part of a joined one.
-struct Joined_part {
-  std::size_t curve;  ///< its number in the drawing that was given
-  bool is_reversed;   ///< it runs the other way there
-};
-
 /// A drawing whose open curves are joined, and what was done.
 /// \code
 /// const Joined_curves joined = join_curves(drawing, 1e-6);
 /// std::cout << joined.joints << " joints, ends moved by at most " << joined.moved << '\n';
 /// \endcode
 struct Joined_curves {
-  Drawing_2<double> drawing;                    ///< a joined curve stands where the first of its parts did
-  std::vector<std::vector<Joined_part>> parts;  ///< of each of its curves, in their order along it
-  std::vector<std::size_t> joined;              ///< the numbers of its curves that were joined or closed
-  std::size_t joints = 0;                       ///< how many pairs of ends became one
-  double moved = 0;                             ///< how far an end was moved at most
-  std::vector<Xy<double>> crowded;              ///< places where more than two ends were left apart: ambiguous
+  /// A curve that became a part of a joined one.
+  struct Part {
+    std::size_t curve;  ///< its number in the drawing that was given
+    bool is_reversed;   ///< it runs the other way there
+  };
+
+  Drawing_2<double> drawing;             ///< a joined curve stands where the first of its parts did
+  std::vector<std::vector<Part>> parts;  ///< of each of its curves, in their order along it
+  std::vector<std::size_t> joined;       ///< the numbers of its curves that were joined or closed
+  std::size_t joints = 0;                ///< how many pairs of ends became one
+  double moved = 0;                      ///< how far an end was moved at most
+  std::vector<Xy<double>> crowded;       ///< places where more than two ends were left apart: ambiguous
 };
 
 /// Joins open curves to chains and loops where exactly two ends meet, or two of several go on straight.

@@ -55,12 +55,14 @@ namespace CGAL::Bounding_arcs {
 
 /// An arc of a kernel, rounded to doubles, in arcs of at most half a circle.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Circular_arc_2<CK>& arc) {
-  return arcs_on_circle(point_of_kernel<double>(arc.source()), point_of_kernel<double>(arc.target()),
-                        point_of_kernel<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
+  return arcs_on_circle(internal::point_of_kernel<double>(arc.source()),
+                        internal::point_of_kernel<double>(arc.target()),
+                        internal::point_of_kernel<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
 }
 /// A segment as an arc without bulge.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Line_arc_2<CK>& segment) {
-  return {{point_of_kernel<double>(segment.source()), point_of_kernel<double>(segment.target()), 0}};
+  return {
+      {internal::point_of_kernel<double>(segment.source()), internal::point_of_kernel<double>(segment.target()), 0}};
 }
 /// An x-monotone curve of Arr_circular_line_arc_traits_2, which is one of the two.
 template <class CK>
@@ -70,11 +72,12 @@ template <class CK>
 }
 /// An x-monotone curve of Arr_circle_segment_traits_2, or what has its members.
 template <class Curve> [[nodiscard]] std::vector<Arc_2> arcs_of_part(const Curve& part) {
-  const Xy<double> from = point_of_kernel<double>(part.source()), to = point_of_kernel<double>(part.target());
+  const Xy<double> from = internal::point_of_kernel<double>(part.source()),
+                   to = internal::point_of_kernel<double>(part.target());
   if (part.orientation() == CGAL::COLLINEAR) return {{from, to, 0}};
   const auto& circle = part.supporting_circle();
-  return arcs_on_circle(from, to, point_of_kernel<double>(circle.center()), CGAL::to_double(circle.squared_radius()),
-                        part.orientation() == CGAL::COUNTERCLOCKWISE);
+  return arcs_on_circle(from, to, internal::point_of_kernel<double>(circle.center()),
+                        CGAL::to_double(circle.squared_radius()), part.orientation() == CGAL::COUNTERCLOCKWISE);
 }
 
 /// Appends a chain of arcs as one curve. Arcs whose ends are equal are left out.
@@ -93,7 +96,7 @@ inline void add_to_drawing(Drawing_2<double>& drawing, const std::vector<Arc_2>&
 template <class Kernel, class Container>
 void add_to_drawing(Drawing_2<double>& drawing, const CGAL::Polygon_2<Kernel, Container>& polygon,
                     std::string name = {}) {
-  const std::vector<Xy<double>> corners = points_of_kernel<double>(polygon.container());
+  const std::vector<Xy<double>> corners = internal::points_of_kernel<double>(polygon.container());
   std::vector<Arc_2> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) sides.push_back({corners[i], corners[(i + 1) % corners.size()], 0});
   add_to_drawing(drawing, sides, std::move(name));

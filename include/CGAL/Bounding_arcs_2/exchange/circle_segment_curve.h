@@ -58,10 +58,12 @@ template <class FT> [[nodiscard]] Boundary_piece_2<FT> exact_piece(const Arc_2& 
     if (!std::isfinite(x)) throw std::invalid_argument(expected("arc", "finite coordinates and bulge", x));
   return piece_on_chord(Xy<FT>{FT(arc.from.x), FT(arc.from.y)}, Xy<FT>{FT(arc.to.x), FT(arc.to.y)}, FT(arc.bulge));
 }
+namespace internal {
 /// \throws std::invalid_argument if the piece is a point, which has no circle
 template <class FT> void require_two_ends(const Boundary_piece_2<FT>& p) {
   if (p.from == p.to) throw std::invalid_argument(expected("piece", "two different ends", "equal ones"));
 }
+}  // namespace internal
 
 // GCC takes a circle that CGAL's filter leaves unset for one that is used.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -78,9 +80,9 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
     const Boundary_piece_2<typename Kernel::FT>& p) {
   using Traits = Arr_circle_segment_traits_2<Kernel>;
   using Curve = typename Traits::Curve_2;
-  require_two_ends(p);
-  if (p.is_segment()) return Curve(kernel_point<Kernel>(p.from), kernel_point<Kernel>(p.to));
-  const auto circle = kernel_circle<Kernel>(p.support, p.is_ccw() ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE);
+  internal::require_two_ends(p);
+  if (p.is_segment()) return Curve(internal::kernel_point<Kernel>(p.from), internal::kernel_point<Kernel>(p.to));
+  const auto circle = internal::kernel_circle<Kernel>(p.support, p.is_ccw() ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE);
   return Curve(circle, typename Traits::Point_2(p.from.x, p.from.y), typename Traits::Point_2(p.to.x, p.to.y));
 }
 #if defined(__GNUC__) && !defined(__clang__)

@@ -44,7 +44,7 @@ template <class CircularKernel>
 template <class CircularKernel = CGAL::Exact_circular_kernel_2>
 [[nodiscard]] typename Arr_circular_line_arc_traits_2<CircularKernel>::Curve_2 circular_line_curve(
     const Boundary_piece_2<typename CircularKernel::FT>& p) {
-  require_two_ends(p);
+  internal::require_two_ends(p);
   return circular_line_curve(kernel_piece<CircularKernel>(p));
 }
 /// Converts an arc that ends and a bulge tell. \throws std::invalid_argument also if a number is none

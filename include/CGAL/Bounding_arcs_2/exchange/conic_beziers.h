@@ -63,6 +63,7 @@ template <class NT> struct Conic_equation {
   }
 };
 
+namespace internal {
 /// The corner and the weight of the arc from p to q, or nothing if it is too long for one curve.
 template <class NT> struct Conic_corner {
   Xy<NT> point;
@@ -87,6 +88,7 @@ template <class NT>
     throw std::invalid_argument(expected("p, q", "ends on one branch of the conic", "ends on two"));
   return std::nullopt;
 }
+}  // namespace internal
 
 /// The arc of a conic from p to q, both on it; equal ends are the whole ellipse.
 /// \tparam NT with square roots: CORE::Expr, or a floating type, whose roundings then show
@@ -101,22 +103,22 @@ template <class NT>
                                                                 const Xy<NT>& q, bool ccw) {
   std::vector<Bezier_curve_2<double>> curves;
   Xy<NT> start = p;
-  const auto add = [&](const std::optional<Conic_corner<NT>>& corner, const Xy<NT>& end) {
+  const auto add = [&](const std::optional<internal::Conic_corner<NT>>& corner, const Xy<NT>& end) {
     if (!corner) throw std::invalid_argument(expected("p, q", "ends on the conic", "one beside it"));
     curves.push_back(
         Bezier_curve_2<double>({convert<double>(start), convert<double>(corner->point), convert<double>(end)},
                                {1, convert<double>(corner->weight), 1}));
     start = end;
   };
-  if (const auto whole = conic_corner(conic, p, q, ccw)) {
+  if (const auto whole = internal::conic_corner(conic, p, q, ccw)) {
     add(whole, q);
     return curves;
   }
   const Xy<NT> outward = NT(conic.r > NT(0) ? 1 : -1) * conic.gradient(p), twice_center = NT(2) * conic.center();
   const Xy<NT> quarter = conic.point_along(NT(ccw ? 1 : -1) * perp(outward));
   for (const Xy<NT>& end : {quarter, twice_center - p, twice_center - quarter}) {
-    add(conic_corner(conic, start, end, ccw), end);
-    if (const auto rest = conic_corner(conic, start, q, ccw)) {
+    add(internal::conic_corner(conic, start, end, ccw), end);
+    if (const auto rest = internal::conic_corner(conic, start, q, ccw)) {
       add(rest, q);
       break;
     }
@@ -129,7 +131,8 @@ template <class NT>
 template <class Arc> [[nodiscard]] std::vector<Bezier_curve_2<double>> conic_beziers(const Arc& arc) {
   using NT = std::decay_t<decltype(arc.source().x())>;
   if (arc.orientation() == CGAL::COLLINEAR)
-    return {Bezier_curve_2<double>({point_of_kernel<double>(arc.source()), point_of_kernel<double>(arc.target())})};
+    return {Bezier_curve_2<double>(
+        {internal::point_of_kernel<double>(arc.source()), internal::point_of_kernel<double>(arc.target())})};
   const Conic_equation<NT> conic{NT(arc.r()), NT(arc.s()), NT(arc.t()), NT(arc.u()), NT(arc.v()), NT(arc.w())};
   const bool ccw = arc.orientation() == CGAL::COUNTERCLOCKWISE;
   if (arc.is_full_conic()) {

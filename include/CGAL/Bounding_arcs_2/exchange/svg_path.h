@@ -22,10 +22,10 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] inline std::string svg_path(const Offset& offset) {
   std::ostringstream out;
   out.precision(17);
-  for (const Offset_chain& chain : offset.chains) {
+  for (const Offset::Chain& chain : offset.chains) {
     const Xy<double>& start = chain.pieces.front().arc.from;
     out << 'M' << start.x << ' ' << start.y;
-    for (const Offset_piece& piece : chain.pieces) {
+    for (const Offset::Piece& piece : chain.pieces) {
       const Arc_2& arc = piece.arc;
       if (arc.bulge == 0) out << 'L';
       else {

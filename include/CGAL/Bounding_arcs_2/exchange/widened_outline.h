@@ -39,7 +39,7 @@ namespace CGAL::Bounding_arcs::internal {
 
 using Arc_side = std::vector<Arc_2>;
 
-[[nodiscard]] inline Arc_side arcs_of(const Arc_region_2& region, const Arc_side_2& side) {
+[[nodiscard]] inline Arc_side arcs_of(const Arc_region_2& region, const Arc_region_2::Side& side) {
   if (side.size == 1) return {{region.from, region.to, side.bulges[0]}};
   return {{region.from, side.joint, side.bulges[0]}, {side.joint, region.to, side.bulges[1]}};
 }
@@ -76,6 +76,7 @@ struct Widened_outline {
   double reach;             ///< no point of it is farther from the region
 };
 
+namespace internal {
 /// A box around the sides and all points within s of it.
 [[nodiscard]] inline Widened_outline box_around(const std::vector<std::vector<Arc_2>>& sides, double s) {
   CGAL::Bbox_2 all;
@@ -87,6 +88,7 @@ struct Widened_outline {
   for (int i = 0; i < 4; ++i) outline.arcs.push_back({corners[i], corners[(i + 1) % 4], 0});
   return outline;
 }
+}  // namespace internal
 
 /// An outline around the region and all points within its widening of it, so around the exact curve.
 /// \return beside it how far it reaches: 4 widenings and 32 ulp of the coordinates. It is 18 times as much where a side
@@ -115,7 +117,7 @@ struct Widened_outline {
       side = {{region.from, region.to, side[length(side[0]) < length(side[1]) ? 1 : 0].bulge}};
       s *= 2 + 2 * SHORT;
     }
-  if (euclidean_norm(region.to - region.from) <= SHORT * s) return box_around(sides, s);
+  if (euclidean_norm(region.to - region.from) <= SHORT * s) return internal::box_around(sides, s);
   const int left = turn < 0 ? 1 : 0;  // the inner side is on the left of what turns left
   Widened_outline outline{internal::moved(sides[static_cast<std::size_t>(1 - left)], -s), 2 * s};
   const internal::Arc_side back = internal::moved(sides[static_cast<std::size_t>(left)], s);

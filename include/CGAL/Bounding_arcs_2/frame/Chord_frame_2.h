@@ -103,6 +103,7 @@ template <class Target, class NT> [[nodiscard]] Chord_frame_2<Target> convert_fr
   return {convert<Target>(frame.p0), convert<Target>(frame.p1), convert_shape<Target>(frame.shape)};
 }
 
+namespace internal {
 /// Sets the changes of squares and sines, `turn`, `tight_first` and `proper` from the other members:
 /// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2),  A T1.D - B T0.D = (A - B) T1.D + B (T1 - T0).D.
 /// The first is kept over A + B, so that it is of third order in a flat piece's height and not of fourth.
@@ -122,6 +123,7 @@ template <class NT> void orient(Chord_shape_2<NT>& f) {
   f.proper = f.runs_ahead && expected != 0 && !flat_end_infinite && (f.infinite0 || sign_of(f.kneser0) == expected) &&
              (f.infinite1 || sign_of(f.kneser1) == expected);
 }
+}  // namespace internal
 
 /// The frame of any curve piece from its two end jets.
 /// \guarantee exact over a field; over floating types the differences cancel for short or flat pieces, which
@@ -142,7 +144,7 @@ template <class NT> [[nodiscard]] Chord_frame_2<NT> chord_frame(const End_jet_2<
   f.curvature1 = cross(j1.first, j1.second) / NT(2);
   f.kneser0 = f.curvature0 * cc - f.cross0 * dot(f.tangent0, f.tangent0);
   f.kneser1 = f.cross1 * dot(f.tangent1, f.tangent1) - f.curvature1 * cc;
-  orient(f);
+  internal::orient(f);
   return frame;
 }
 

@@ -22,6 +22,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// Room for the coefficients of degree 7 without an allocation.
 template <class T> using Coefficients = boost::container::small_vector<T, 8>;
 
@@ -31,6 +32,7 @@ template <class NT> struct Taylor_coefficients {
   Coefficients<Xy<NT>> numerator;
   Coefficients<NT> weight;
 };
+}  // namespace internal
 
 /// Forward differences of a Bezier curve's control points, kept so that the Taylor coefficients of any piece are sums
 /// of differences and never differences of far-away points.
@@ -77,14 +79,14 @@ template <class NT> class Taylor_table {
   /// The Taylor coefficients of the piece [t0, t1].
   /// \guarantee exact over a field; over double each is a sum of same-order differences with positive weights, so its
   ///   error is at most (degree + 4) u times the largest difference of that order times h^k binomial(degree, k)
-  [[nodiscard]] Taylor_coefficients<NT> expand(const NT& t0, const NT& t1) const {
-    Coefficients<NT> t(1, NT(1)), s(1, NT(1));
+  [[nodiscard]] internal::Taylor_coefficients<NT> expand(const NT& t0, const NT& t1) const {
+    internal::Coefficients<NT> t(1, NT(1)), s(1, NT(1));
     const NT rest = NT(1) - t0, h = t1 - t0;
     for (int k = 0; k < degree_; ++k) {
       t.push_back(NT(t.back() * t0));
       s.push_back(NT(s.back() * rest));
     }
-    Taylor_coefficients<NT> taylor;
+    internal::Taylor_coefficients<NT> taylor;
     const int first = is_rational() ? 0 : 1;
     if (first == 1) taylor.numerator.push_back(Xy<NT>{});
     NT power = first == 0 ? NT(1) : h;
@@ -155,8 +157,8 @@ template <class NT> class Taylor_table {
   }
 
   template <class T>
-  [[nodiscard]] static T sum(const std::vector<T>& table, std::size_t at, int n, const Coefficients<NT>& t,
-                             const Coefficients<NT>& s) {
+  [[nodiscard]] static T sum(const std::vector<T>& table, std::size_t at, int n, const internal::Coefficients<NT>& t,
+                             const internal::Coefficients<NT>& s) {
     T value = times(s[static_cast<std::size_t>(n)], table[at]);
     for (int i = 1; i <= n; ++i)
       value = value + times(NT(t[static_cast<std::size_t>(i)] * s[static_cast<std::size_t>(n - i)]),

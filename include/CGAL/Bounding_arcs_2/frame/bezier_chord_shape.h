@@ -33,6 +33,7 @@ struct Shape_parts {
   bool control_points = false;  ///< the control points of the piece, and their weights
 };
 
+namespace internal {
 /// Taylor vectors M_k about the start, weights relative to the end, and the length of one unit.
 template <class NT> struct Relative_piece {
   Coefficients<Xy<NT>> m;  // m[0] unused
@@ -155,6 +156,7 @@ void end_curvatures(const Relative_piece<NT>& piece, const Coefficients<Xy<NT>>&
   f.kneser0 = bend0 * stretch0 - dot(m[1], m[1]) * tail0;
   f.kneser1 = NT(0) - bend1 * stretch1 - ratio1 * dot(e[1], e[1]) * tail1;
 }
+}  // namespace internal
 
 /// The chord shape of the piece [t0, t1] of the curve behind `table`.
 /// \param parts what to fill in; curvatures and Kneser differences stay 0 where they are not asked for (BCA)
@@ -165,7 +167,7 @@ void end_curvatures(const Relative_piece<NT>& piece, const Coefficients<Xy<NT>>&
 template <class NT>
 [[nodiscard]] Chord_shape_2<NT> bezier_chord_shape(const Taylor_table<NT>& table, const NT& t0, const NT& t1,
                                                    const Shape_parts& parts, const End_orders& orders = {}) {
-  const Relative_piece<NT> piece = relative_piece(table, t0, t1);
+  const internal::Relative_piece<NT> piece = internal::relative_piece(table, t0, t1);
   Chord_shape_2<NT> f;
   f.unit = piece.unit;
   f.tangent0 = piece.m[1];
@@ -181,32 +183,32 @@ template <class NT>
   }
   f.tangent1 = f.tangent0 + f.tangent_change;
   const bool ordinary = orders.start == 1 && orders.end == 1;
-  if (parts.control_points) set_control_points(piece, f);
+  if (parts.control_points) internal::set_control_points(piece, f);
   if (ordinary && !parts.curvature) {
-    sum_crosses(piece.m, f);
-    orient(f);
+    internal::sum_crosses(piece.m, f);
+    internal::orient(f);
     return f;
   }
-  const Coefficients<Xy<NT>> e = about_end(piece, f.chord);
-  sum_crosses(piece.m, f);
-  end_curvatures(piece, e, f);
+  const internal::Coefficients<Xy<NT>> e = internal::about_end(piece, f.chord);
+  internal::sum_crosses(piece.m, f);
+  internal::end_curvatures(piece, e, f);
   if (ordinary) {
-    orient(f);
+    internal::orient(f);
     return f;
   }
   // A singular end: no leading terms cancel there, so plain differences keep their digits.
   const auto m0 = static_cast<std::size_t>(orders.start), m1 = static_cast<std::size_t>(orders.end);
   if (m0 > 1 && m0 < piece.m.size()) {
     f.tangent0 = NT(static_cast<double>(m0)) * piece.m[m0];
-    f.curvature0 = singular_curvature(piece.m, m0, static_cast<std::size_t>(orders.start_bend));
-    f.infinite0 = is_infinite_curvature(orders.start, orders.start_bend);
+    f.curvature0 = internal::singular_curvature(piece.m, m0, static_cast<std::size_t>(orders.start_bend));
+    f.infinite0 = internal::is_infinite_curvature(orders.start, orders.start_bend);
     if (!piece.w.empty()) f.curvature0 = f.curvature0 * NT(piece.w[0] / piece.end_weight);
   }
   if (m1 > 1 && m1 < piece.m.size()) {
     const NT sign(m1 % 2 == 1 ? 1 : -1);
     f.tangent1 = NT(sign * NT(static_cast<double>(m1))) * e[m1];
-    f.curvature1 = sign * singular_curvature(e, m1, static_cast<std::size_t>(orders.end_bend));
-    f.infinite1 = is_infinite_curvature(orders.end, orders.end_bend);
+    f.curvature1 = sign * internal::singular_curvature(e, m1, static_cast<std::size_t>(orders.end_bend));
+    f.infinite1 = internal::is_infinite_curvature(orders.end, orders.end_bend);
   }
   f.tangent_change = f.tangent1 - f.tangent0;
   f.cross0 = cross(f.tangent0, f.chord);
@@ -215,7 +217,7 @@ template <class NT>
   const NT cc = dot(f.chord, f.chord);
   f.kneser0 = f.infinite0 ? NT(0) : NT(f.curvature0 * cc - f.cross0 * dot(f.tangent0, f.tangent0));
   f.kneser1 = f.infinite1 ? NT(0) : NT(f.cross1 * dot(f.tangent1, f.tangent1) - f.curvature1 * cc);
-  orient(f);
+  internal::orient(f);
   return f;
 }
 

@@ -20,67 +20,12 @@ namespace CGAL::Bounding_arcs {
 
 struct Bounding_parts;  // src/library/medial_axis/Bounding_parts.h
 
-/// A maximal disc where the axis ends or branches.
-struct Medial_vertex {
-  Xy<double> center;
-  double radius = 0;
-  std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
-  Bracket clearance{};               ///< holds the distance of the center from the boundary: the radius
-
-  /// Writes center and radius, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Medial_vertex& answer) {
-    return out << answer.center << ' ' << answer.radius;
-  }
-};
-
-/// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.
-struct Medial_sample {
-  Xy<double> center;
-  double radius = 0;
-  Curve_place left{}, right{};
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Medial_sample& answer) {
-    return out << answer.center << ' ' << answer.radius << ' ' << answer.left << ' ' << answer.right;
-  }
-};
-
-/// Maximal discs that touch twice, between two vertices.
-struct Medial_edge {
-  std::size_t from = 0, to = 0;        ///< vertices
-  std::vector<Medial_sample> samples;  ///< the first and the last ones are the vertices
-
-  /// Writes a line for each sample.
-  friend std::ostream& operator<<(std::ostream& out, const Medial_edge& all) {
-    for (const Medial_sample& one : all.samples) out << one << '\n';
-    return out;
-  }
-};
-
-/// What came of a medial axis.
-enum class Medial_axis_status : std::uint8_t {
-  COMPLETE,
-  UNRESOLVED  ///< discs could not be told apart within rounding: beside `unresolved` something is missing
-};
-
-/// Which medial axis.
-/// \code
-/// Medial_axis_options options;
-/// options.rule = Fill_rule::EVEN_ODD;
-/// const Medial_axis_2 axis = medial_axis(closed, 1e-4, options);
-/// \endcode
-struct Medial_axis_options {
-  Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
-  bool is_framed =
-      false;  ///< the last curve is a frame: all points in it are inside, other curves are walls and may cross
-};
-
 /// The medial axis of what closed curves fill: the centers of all discs inside that lie in no larger one. It is a graph
 /// of vertices, and of edges with samples.
 /// \code
 /// const Medial_axis_2 axis = medial_axis(closed, 1e-4);
-/// for (const Medial_edge& edge : axis.edges)
-///   for (const Medial_sample& s : edge.samples)
+/// for (const Medial_axis_2::Edge& edge : axis.edges)
+///   for (const Medial_axis_2::Sample& s : edge.samples)
 ///     std::cout << s.center.x << ' ' << s.center.y << ' ' << s.radius << '\n';
 /// \endcode
 /// Along an edge each disc touches the boundary twice, and samples name both places. Edges end at vertices: where the
@@ -90,7 +35,7 @@ struct Medial_axis_options {
 ///
 /// Look at `status`. UNRESOLVED says that something is missing beside the places in `unresolved`.
 ///
-/// Medial_axis_options has the fill rule. With `is_framed` the last curve is a frame, and all other curves in it are
+/// Medial_axis_2::Options has the fill rule. With `is_framed` the last curve is a frame, and all other curves in it are
 /// walls, open ones and points, too: the axis is then their Voronoi diagram.
 ///
 /// Functions of the axis answer most questions: thin_stretches() and necks() find narrow places,
@@ -98,11 +43,96 @@ struct Medial_axis_options {
 /// each curve. pruned() takes small branches away, axis_branches() joins edges to long ways, and axis_conics() writes
 /// few conics for CAD.
 struct Medial_axis_2 {
-  Medial_axis_status status = Medial_axis_status::COMPLETE;
+  /// A maximal disc where the axis ends or branches.
+  struct Vertex {
+    Xy<double> center;
+    double radius = 0;
+    std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
+    Bracket clearance{};               ///< holds the distance of the center from the boundary: the radius
+
+    /// Writes center and radius, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Vertex& answer) {
+      return out << answer.center << ' ' << answer.radius;
+    }
+  };
+
+  /// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.
+  struct Sample {
+    Xy<double> center;
+    double radius = 0;
+    Curve_place left{}, right{};
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Sample& answer) {
+      return out << answer.center << ' ' << answer.radius << ' ' << answer.left << ' ' << answer.right;
+    }
+  };
+
+  /// Maximal discs that touch twice, between two vertices.
+  struct Edge {
+    std::size_t from = 0, to = 0;  ///< vertices
+    std::vector<Sample> samples;   ///< the first and the last ones are the vertices
+
+    /// Writes a line for each sample.
+    friend std::ostream& operator<<(std::ostream& out, const Edge& all) {
+      for (const Sample& one : all.samples) out << one << '\n';
+      return out;
+    }
+  };
+
+  /// What came of a medial axis.
+  enum class Status : std::uint8_t {
+    COMPLETE,
+    UNRESOLVED  ///< discs could not be told apart within rounding: beside `unresolved` something is missing
+  };
+
+  /// Which medial axis.
+  /// \code
+  /// Medial_axis_2::Options options;
+  /// options.rule = Fill_rule::EVEN_ODD;
+  /// const Medial_axis_2 axis = medial_axis(closed, 1e-4, options);
+  /// \endcode
+  struct Options {
+    Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
+    bool is_framed =
+        false;  ///< the last curve is a frame: all points in it are inside, other curves are walls and may cross
+  };
+
+  /// A way between two points (medial_axis.h).
+  /// \code
+  /// const auto path = clearance_path(closed, axis, {0.1, 0}, {-0.1, 0});
+  /// if (path) std::cout << "a disc of radius " << path->bottleneck << " gets through\n";
+  /// \endcode
+  struct Path {
+    /// A corner of the way.
+    struct Station {
+      Xy<double> point;
+      double clearance;  ///< from the curves but those of the axis's left_out
+    };
+    std::vector<Station> stations;  ///< from one point to the other one, in straight lines
+    double bottleneck = 0;          ///< the least clearance
+    double length = 0;
+
+    /// Writes a line for each station: its point and clearance.
+    friend std::ostream& operator<<(std::ostream& out, const Path& path) {
+      for (const Station& s : path.stations) out << s.point << ' ' << s.clearance << '\n';
+      return out;
+    }
+  };
+
+  struct Branch;          ///< a long way along edges, axis_branches.h
+  struct Conic;           ///< a part of an edge as a conic, axis_conics.h
+  struct Cell;            ///< the places that are nearest to a curve, voronoi_cells.h
+  struct Thin_stretch;    ///< a way along which a shape is thin, thin_places.h
+  struct Neck;            ///< a narrowest place, thin_places.h
+  struct Inscribed_disc;  ///< the largest disc, maximal_disc.h
+  struct Feet_apart;      ///< what trimmed() leaves, pruned.h
+
+  Status status = Status::COMPLETE;
   std::size_t regions = 0;  ///< connected ones
   std::size_t holes = 0;    ///< of all regions together: vertices - edges = regions - holes
-  std::vector<Medial_vertex> vertices;
-  std::vector<Medial_edge> edges;
+  std::vector<Vertex> vertices;
+  std::vector<Edge> edges;
   double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
   double error = 0;  ///< at least |clearance - radius| of all vertices
   /// A bound of how far curves were moved where they nearly meet. The axis is that of the moved curves. The bound is at
@@ -112,7 +142,7 @@ struct Medial_axis_2 {
   /// may be wrong anywhere.
   std::vector<Xy<double>> unresolved;
   std::vector<std::uint32_t> left_out;  ///< curves that bound nothing, as the rule fills both of their sides
-  Medial_axis_options options;          ///< what it is of
+  Options options;                      ///< what it is of
   /// The parts of curves that bound the regions. An axis that was read from a file has none: they are found again.
   std::shared_ptr<const Bounding_parts> bounds;
 
@@ -125,29 +155,7 @@ struct Medial_axis_2 {
 
   /// Writes a line for each sample of each edge, and an empty line behind the edge.
   friend std::ostream& operator<<(std::ostream& out, const Medial_axis_2& all) {
-    for (const Medial_edge& one : all.edges) out << one << '\n';
-    return out;
-  }
-};
-
-/// A way between two points (clearance_path.h).
-/// \code
-/// const auto path = clearance_path(closed, axis, {0.1, 0}, {-0.1, 0});
-/// if (path) std::cout << "a disc of radius " << path->bottleneck << " gets through\n";
-/// \endcode
-struct Clearance_path {
-  /// A corner of the way.
-  struct Station {
-    Xy<double> point;
-    double clearance;  ///< from the curves but those of the axis's left_out
-  };
-  std::vector<Station> stations;  ///< from one point to the other one, in straight lines
-  double bottleneck = 0;          ///< the least clearance
-  double length = 0;
-
-  /// Writes a line for each station: its point and clearance.
-  friend std::ostream& operator<<(std::ostream& out, const Clearance_path& path) {
-    for (const Station& s : path.stations) out << s.point << ' ' << s.clearance << '\n';
+    for (const Edge& one : all.edges) out << one << '\n';
     return out;
   }
 };
@@ -155,7 +163,7 @@ struct Clearance_path {
 /// How many edges end in each vertex; an edge that returns to its vertex counts twice.
 [[nodiscard]] inline std::vector<std::size_t> degrees(const Medial_axis_2& axis) {
   std::vector<std::size_t> result(axis.vertices.size());
-  for (const Medial_edge& e : axis.edges) ++result[e.from], ++result[e.to];
+  for (const Medial_axis_2::Edge& e : axis.edges) ++result[e.from], ++result[e.to];
   return result;
 }
 

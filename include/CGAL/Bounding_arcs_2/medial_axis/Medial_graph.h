@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 /// A vertex of the axis, under its own number there.
 struct Medial_graph_vertex {
@@ -32,9 +32,15 @@ struct Medial_graph_edge {
   double most_clearance = 0;   ///< of its samples
 };
 
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
 /// Vertex i is vertex i of the axis. Two vertices may have several edges between them, and an edge may be a loop.
-using Medial_graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Medial_graph_vertex, Medial_graph_edge>;
+/// graph[vertex] has `point` and `clearance`, graph[edge] `index`, `length`, `least_clearance` and `most_clearance`.
+/// Their types are Medial_graph::vertex_bundled and Medial_graph::edge_bundled, as Boost names them.
+using Medial_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, internal::Medial_graph_vertex,
+                                           internal::Medial_graph_edge>;
 
 /// Returns the graph of an axis.
 /// \pre axis.is_valid()
@@ -43,8 +49,8 @@ using Medial_graph =
   Medial_graph graph(axis.vertices.size());
   for (std::size_t i = 0; i < axis.vertices.size(); ++i) graph[i] = {axis.vertices[i].center, axis.vertices[i].radius};
   for (std::size_t i = 0; i < axis.edges.size(); ++i) {
-    const std::vector<Medial_sample>& samples = axis.edges[i].samples;
-    Medial_graph_edge edge{i, 0, samples.front().radius, samples.front().radius};
+    const std::vector<Medial_axis_2::Sample>& samples = axis.edges[i].samples;
+    Medial_graph::edge_bundled edge{i, 0, samples.front().radius, samples.front().radius};
     for (std::size_t k = 1; k < samples.size(); ++k) {
       edge.length += euclidean_norm(samples[k].center - samples[k - 1].center);
       edge.least_clearance = (std::min)(edge.least_clearance, samples[k].radius);

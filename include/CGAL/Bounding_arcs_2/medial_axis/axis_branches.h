@@ -22,17 +22,18 @@ namespace CGAL::Bounding_arcs {
 
 /// A way along the axis.
 /// \code
-/// for (const Axis_branch& branch : axis_branches(axis, 0.5))  // where discs have radii of at most 0.5
-///   for (const Medial_sample& s : branch.samples) std::cout << s.center.x << ' ' << s.center.y << ' ' << -s.radius;
+/// for (const Medial_axis_2::Branch& branch : axis_branches(axis, 0.5))  // where discs have radii of at most 0.5
+///   for (const Medial_axis_2::Sample& s : branch.samples) std::cout << s.center.x << ' ' << s.center.y << ' ' <<
+///   -s.radius;
 /// \endcode
-struct Axis_branch {
-  std::vector<Medial_sample> samples;  ///< one of a disc without edges; a way round has its first one again at the end
-  double length = 0;                   ///< of the straight lines between centers
-  std::size_t part = 0;                ///< the connected part of what is taken that it belongs to
+struct Medial_axis_2::Branch {
+  std::vector<Sample> samples;  ///< one of a disc without edges; a way round has its first one again at the end
+  double length = 0;            ///< of the straight lines between centers
+  std::size_t part = 0;         ///< the connected part of what is taken that it belongs to
 
   /// Writes a line for each sample.
-  friend std::ostream& operator<<(std::ostream& out, const Axis_branch& all) {
-    for (const Medial_sample& one : all.samples) out << one << '\n';
+  friend std::ostream& operator<<(std::ostream& out, const Branch& all) {
+    for (const Sample& one : all.samples) out << one << '\n';
     return out;
   }
 };
@@ -48,8 +49,8 @@ struct Axis_branch {
 ///   fewer ways can have each line once
 /// \throws std::invalid_argument for a radius that is not above 0
 /// \complexity n log n in the edges, linear in the samples
-[[nodiscard]] std::vector<Axis_branch> axis_branches(const Medial_axis_2& axis,
-                                                     double largest = std::numeric_limits<double>::infinity());
+[[nodiscard]] std::vector<Medial_axis_2::Branch> axis_branches(
+    const Medial_axis_2& axis, double largest = std::numeric_limits<double>::infinity());
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -15,42 +15,43 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Whether an edge's bound is proven.
-enum class Edge_status : std::uint8_t { PROVEN, ESTIMATED };
-
-/// Why an edge is not proven.
-enum class Edge_reason : std::uint8_t {
-  NONE,       ///< it is
-  FEET,       ///< two feet that follow each other are on no common spiral segment
-  CELL,       ///< what is between two samples and their feet is turned inside out
-  BAND,       ///< the bound is above the tolerance
-  ELSEWHERE,  ///< another edge has no bound, or feet do not tile the boundary
-};
-/// The reason's name in capitals.
-[[nodiscard]] const char* name_of(Edge_reason reason);
-
-/// How far an edge is from the true axis.
-struct Edge_bound {
-  Edge_status status = Edge_status::ESTIMATED;
-  Edge_reason reason = Edge_reason::NONE;
-  /// Centers and radii together: each disc of the true axis there has its center within a, and its radius within b, of
-  /// a place of the edge, and a + b is at most that. Infinite where there is no bound.
-  double bound = 0;
-};
-
 /// What is proven of an axis.
 /// \code
 /// const Axis_certificate proof = axis_certificate(closed, axis);
 /// if (proof.is_proven()) std::cout << "within " << proof.bound << '\n';
 /// \endcode
 struct Axis_certificate {
-  bool is_tiled = false;          ///< feet tile each side of a curve that they are on once, and all curves
-  bool is_euler = false;          ///< vertices less edges are regions less holes
-  double bound = 0;               ///< the largest of the edges
-  std::vector<Edge_bound> edges;  ///< as the axis has them
+  /// Whether an edge's bound is proven.
+  enum class Status : std::uint8_t { PROVEN, ESTIMATED };
+
+  /// Why an edge is not proven.
+  enum class Reason : std::uint8_t {
+    NONE,       ///< it is
+    FEET,       ///< two feet that follow each other are on no common spiral segment
+    CELL,       ///< what is between two samples and their feet is turned inside out
+    BAND,       ///< the bound is above the tolerance
+    ELSEWHERE,  ///< another edge has no bound, or feet do not tile the boundary
+  };
+
+  /// How far an edge is from the true axis.
+  struct Edge {
+    Status status = Status::ESTIMATED;
+    Reason reason = Reason::NONE;
+    /// Centers and radii together: each disc of the true axis there has its center within a, and its radius within b,
+    /// of a place of the edge, and a + b is at most that. Infinite where there is no bound.
+    double bound = 0;
+  };
+
+  bool is_tiled = false;    ///< feet tile each side of a curve that they are on once, and all curves
+  bool is_euler = false;    ///< vertices less edges are regions less holes
+  double bound = 0;         ///< the largest of the edges
+  std::vector<Edge> edges;  ///< as the axis has them
 
   [[nodiscard]] bool is_proven() const;
 };
+
+/// The reason's name in capitals.
+[[nodiscard]] const char* name_of(Axis_certificate::Reason reason);
 
 /// Proves an axis of closed curves, or of curves in a frame: that of the drawing within axis.moved that it is of. Which
 /// parts of curves bound regions the overlay has decided.

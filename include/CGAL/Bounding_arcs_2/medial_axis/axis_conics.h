@@ -21,7 +21,7 @@ namespace CGAL::Bounding_arcs {
 /// discs that touch both arcs. It is a rational quadratic Bezier curve of three points with the weights 1, `weight` and
 /// 1: a part of a hyperbola where `weight` is above 1, of a parabola where it is 1, and of an ellipse where it is
 /// below 1. It is a line where the points are on a line.
-struct Axis_conic {
+struct Medial_axis_2::Conic {
   std::size_t first = 0, last = 0;     ///< samples of the edge whose centers are its ends
   std::array<Xy<double>, 3> points{};  ///< control points
   double weight = 1;                   ///< of the middle one
@@ -42,8 +42,8 @@ struct Axis_conic {
 ///   than the ends are from each other
 /// \complexity n log n in the samples of an edge; about eps^(-1/3) conics, where lines are eps^(-1/2)
 /// \source fat arcs in place of curves: Barton, Elber 2011; their bisectors are conics, Farouki, Johnstone 1994
-[[nodiscard]] std::vector<std::vector<Axis_conic>> axis_conics(const Bounding_arc_tree_2& tree,
-                                                               const Medial_axis_2& axis, double eps);
+[[nodiscard]] std::vector<std::vector<Medial_axis_2::Conic>> axis_conics(const Bounding_arc_tree_2& tree,
+                                                                         const Medial_axis_2& axis, double eps);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -20,19 +20,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A disc that touches a curve, on its left, and another one.
-struct Bisector_sample {
-  Xy<double> center;
-  double radius = 0;
-  double t = 0;           ///< where it touches the first curve
-  Curve_place touches{};  ///< where it touches the other one
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Bisector_sample& answer) {
-    return out << answer.center << ' ' << answer.radius << ' ' << answer.t << ' ' << answer.touches;
-  }
-};
-
 /// Discs between two curves: each touches the first one from the left, and the other one.
 /// \code
 /// const Bezier_curve_2<double> line({{-1, -3}, {1, -3}});
@@ -41,6 +28,19 @@ struct Bisector_sample {
 /// \endcode
 class Bisector_2 {
  public:
+  /// A disc that touches a curve, on its left, and another one.
+  struct Sample {
+    Xy<double> center;
+    double radius = 0;
+    double t = 0;           ///< where it touches the first curve
+    Curve_place touches{};  ///< where it touches the other one
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Sample& answer) {
+      return out << answer.center << ' ' << answer.radius << ' ' << answer.t << ' ' << answer.touches;
+    }
+  };
+
   /// \param a reverse it for its other side
   /// \param b must outlive this; it may be of many curves, whose nearest one counts
   /// \param largest the largest radius to look for
@@ -55,7 +55,7 @@ class Bisector_2 {
   ///   both places, seen from the center
   /// \source the ball that shrinks to the nearest point until there is none in it: Ma, Bae, Choi 2012; here for curves
   ///   instead of points, where each step squares the error
-  [[nodiscard]] std::optional<Bisector_sample> disc(double t) const;
+  [[nodiscard]] std::optional<Sample> disc(double t) const;
 
   /// The bisector as chains of discs, in the order of `a`; each ends where discs do.
   /// \param eps how far the bisector may be from the lines between samples, and radii from what is between theirs
@@ -63,22 +63,22 @@ class Bisector_2 {
   /// \guarantee that lines are within eps is an estimate, from discs half-way. Samples are no nearer to each other than
   ///   2^-18 of the parameters of `a`, and chains over less than 1/64 of these may be missing
   /// \complexity about eps^(-1/2) discs, each of some closest points
-  [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const;
+  [[nodiscard]] std::vector<std::vector<Sample>> sample(double eps) const;
 
  private:
-  using Chains = std::vector<std::vector<Bisector_sample>>;
+  using Chains = std::vector<std::vector<Sample>>;
   static constexpr int FIRST = 64;
   static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-18;
 
-  [[nodiscard]] Bisector_sample out(const Bisector_sample& s) const;
-  [[nodiscard]] std::optional<Bisector_sample> disc_in_unit(double t) const;
+  [[nodiscard]] Sample out(const Sample& s) const;
+  [[nodiscard]] std::optional<Sample> disc_in_unit(double t) const;
 
   [[nodiscard]] Chains chains_in_unit(double eps) const;
 
-  void add_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
-                   const std::optional<Bisector_sample>& s1, double eps, Chains& chains) const;
-  [[nodiscard]] Bisector_sample end_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
-                                            const std::optional<Bisector_sample>& s1) const;
+  void add_between(double t0, const std::optional<Sample>& s0, double t1, const std::optional<Sample>& s1, double eps,
+                   Chains& chains) const;
+  [[nodiscard]] Sample end_between(double t0, const std::optional<Sample>& s0, double t1,
+                                   const std::optional<Sample>& s1) const;
 
   Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;

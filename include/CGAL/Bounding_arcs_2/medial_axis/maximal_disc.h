@@ -17,18 +17,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// The largest disc inside that touches the curves in a given place.
-struct Maximal_disc {
-  Xy<double> center;
-  double radius = 0;
-  std::optional<Curve_place> touches;  ///< nothing where the radius is that of the place's curvature
-
-  /// Writes center and radius, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Maximal_disc& answer) {
-    return out << answer.center << ' ' << answer.radius;
-  }
-};
-
 /// Maximal discs of the regions that closed curves fill, as medial_axis takes them.
 /// \code
 /// const Maximal_discs_2 discs(closed);
@@ -37,6 +25,18 @@ struct Maximal_disc {
 /// \endcode
 class Maximal_discs_2 {
  public:
+  /// The largest disc inside that touches the curves in a given place.
+  struct Disc {
+    Xy<double> center;
+    double radius = 0;
+    std::optional<Curve_place> touches;  ///< nothing where the radius is that of the place's curvature
+
+    /// Writes center and radius, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Disc& answer) {
+      return out << answer.center << ' ' << answer.radius;
+    }
+  };
+
   /// \param tree must outlive this
   /// \throws std::invalid_argument if a curve is open
   explicit Maximal_discs_2(const Bounding_arc_tree_2& tree, Fill_rule rule = Fill_rule::NONZERO);
@@ -45,7 +45,7 @@ class Maximal_discs_2 {
   /// \return nothing where the curve bounds no region
   /// \throws std::invalid_argument if there is no such place
   /// \complexity about logarithmic in the number of segments
-  [[nodiscard]] std::optional<Maximal_disc> operator()(const Curve_place& place) const;
+  [[nodiscard]] std::optional<Disc> operator()(const Curve_place& place) const;
 
  private:
   struct Boundary;
@@ -56,7 +56,7 @@ class Maximal_discs_2 {
 /// \code
 /// if (const auto disc = largest_inscribed_disc(closed, axis)) std::cout << disc->radius.lower << '\n';
 /// \endcode
-struct Inscribed_disc {
+struct Medial_axis_2::Inscribed_disc {
   Xy<double> center;
   Bracket radius{};
 
@@ -71,8 +71,8 @@ struct Inscribed_disc {
 /// \guarantee the disc with radius.lower about the center is certified to have no curve in it; that none is larger than
 ///   radius.upper is as good as the axis
 /// \complexity linear in the samples
-[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& tree,
-                                                                   const Medial_axis_2& axis);
+[[nodiscard]] std::optional<Medial_axis_2::Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& tree,
+                                                                                  const Medial_axis_2& axis);
 
 }  // namespace CGAL::Bounding_arcs
 

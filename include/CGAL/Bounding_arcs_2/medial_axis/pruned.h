@@ -33,7 +33,7 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] Medial_axis_2 pruned(Medial_axis_2 axis, double significance);
 
 /// What stays of an axis: feet that are as far apart as both say.
-struct Feet_apart {
+struct Medial_axis_2::Feet_apart {
   double angle = 0;          ///< seen from the center, in radians, at most 2: more would leave nothing of a triangle
   double half_distance = 0;  ///< in units of the coordinates
 };
@@ -47,7 +47,8 @@ struct Feet_apart {
 /// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
 /// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0
 /// \complexity linear in the samples
-[[nodiscard]] Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const Feet_apart& apart);
+[[nodiscard]] Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis,
+                                    const Medial_axis_2::Feet_apart& apart);
 
 }  // namespace CGAL::Bounding_arcs
 

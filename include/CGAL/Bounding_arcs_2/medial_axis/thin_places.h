@@ -27,22 +27,21 @@ namespace CGAL::Bounding_arcs {
 
 /// A way along the axis on which a shape, or the room in a frame, is thinner than a limit.
 /// \code
-/// for (const Thin_stretch& stretch : thin_stretches(axis, 0.5))
+/// for (const Medial_axis_2::Thin_stretch& stretch : thin_stretches(axis, 0.5))
 ///   std::cout << stretch.thickness() << " over a length of " << stretch.length << '\n';
 /// \endcode
-struct Thin_stretch {
-  std::vector<Medial_sample>
-      samples;            ///< one of a shape that is a disc; a way round has its first one again at the end
-  std::size_t least = 0;  ///< the sample with the smallest disc
-  double length = 0;      ///< of the lines between the samples
+struct Medial_axis_2::Thin_stretch {
+  std::vector<Sample> samples;  ///< one of a shape that is a disc; a way round has its first one again at the end
+  std::size_t least = 0;        ///< the sample with the smallest disc
+  double length = 0;            ///< of the lines between the samples
 
   /// The smallest disc, and where it touches both sides.
-  [[nodiscard]] const Medial_sample& disc() const { return samples[least]; }
+  [[nodiscard]] const Sample& disc() const { return samples[least]; }
   [[nodiscard]] double thickness() const { return 2 * disc().radius; }
 
   /// Writes a line for each sample.
   friend std::ostream& operator<<(std::ostream& out, const Thin_stretch& all) {
-    for (const Medial_sample& one : all.samples) out << one << '\n';
+    for (const Sample& one : all.samples) out << one << '\n';
     return out;
   }
 };
@@ -63,15 +62,15 @@ constexpr double THIN_CORNER = 1.0471975511965976;
 ///   outside of corners are below it by more than 2 axis.eps, as good as the axis is
 /// \throws std::invalid_argument for a limit or a corner that is not as said
 /// \complexity n log n in the samples
-[[nodiscard]] std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit,
-                                                       double corner = THIN_CORNER);
+[[nodiscard]] std::vector<Medial_axis_2::Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit,
+                                                                      double corner = THIN_CORNER);
 
 /// A place where a shape, or the room in a frame, is narrower than around it.
 /// \code
-/// for (const Neck& neck : necks(axis)) std::cout << neck.thickness() << '\n';
+/// for (const Medial_axis_2::Neck& neck : necks(axis)) std::cout << neck.thickness() << '\n';
 /// \endcode
-struct Neck {
-  Medial_sample disc;    ///< the smallest one, and where it touches both sides
+struct Medial_axis_2::Neck {
+  Sample disc;           ///< the smallest one, and where it touches both sides
   std::size_t edge = 0;  ///< of the axis
   double prominence =
       0;  ///< the radius rises by that on each way to a narrower place or an end; infinite: none is left
@@ -90,7 +89,7 @@ struct Neck {
 /// \guarantee the thickness is within 2 axis.eps of the least one there, as good as the axis is; a long neck of one
 ///   width, or a ring, has one place
 /// \complexity n log n in the samples
-[[nodiscard]] std::vector<Neck> necks(const Medial_axis_2& axis, double least_prominence = 0);
+[[nodiscard]] std::vector<Medial_axis_2::Neck> necks(const Medial_axis_2& axis, double least_prominence = 0);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -26,11 +26,11 @@ namespace CGAL::Bounding_arcs {
 /// Places that are nearest to one curve, between a run of it and edges of the axis. A curve has one for each run on
 /// each of its sides.
 /// \code
-/// for (const Voronoi_cell& cell : voronoi_cells(closed, axis))
-///   for (const Voronoi_cell::Rim& part : cell.rim)
+/// for (const Medial_axis_2::Cell& cell : voronoi_cells(closed, axis))
+///   for (const Medial_axis_2::Cell::Rim& part : cell.rim)
 ///     if (part.beyond != cell.curve) std::cout << cell.curve << " is next to " << part.beyond << '\n';
 /// \endcode
-struct Voronoi_cell {
+struct Medial_axis_2::Cell {
   /// A part of an edge of the axis, from sample to sample.
   struct Rim {
     std::size_t edge = 0;
@@ -52,12 +52,13 @@ struct Voronoi_cell {
 /// \guarantee rims are within axis.eps of those of the curves, as good as the axis is; cells share rims, and together
 ///   they are the regions
 /// \complexity n log n in the samples, and the square of the number of edges at each vertex
-[[nodiscard]] std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis);
+[[nodiscard]] std::vector<Medial_axis_2::Cell> voronoi_cells(const Bounding_arc_tree_2& tree,
+                                                             const Medial_axis_2& axis);
 
 /// Returns a cell's polygon, counterclockwise, for pictures.
 /// \param per_piece points of each Bezier piece that the run has
 [[nodiscard]] std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                                   const Voronoi_cell& cell, int per_piece = 16);
+                                                   const Medial_axis_2::Cell& cell, int per_piece = 16);
 
 }  // namespace CGAL::Bounding_arcs
 

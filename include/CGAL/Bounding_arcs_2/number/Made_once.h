@@ -14,6 +14,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// A value that is made when it is first asked for, from any thread; until then it takes the room of a pointer.
 template <class T> class Made_once {
  public:
@@ -35,6 +36,7 @@ template <class T> class Made_once {
  private:
   mutable std::atomic<T*> value_{nullptr};
 };
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

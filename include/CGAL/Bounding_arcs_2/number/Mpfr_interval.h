@@ -26,6 +26,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// An mpfr_t that owns its memory.
 class Mpfr_number {
  public:
@@ -67,12 +68,13 @@ template <class Rational> [[nodiscard]] auto rational_data(const Rational& x) ->
 template <class Rational> [[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.backend().data()) {
   return x.backend().data();
 }
+}  // namespace internal
 
 /// Whether numbers of a type have enclosures of any precision.
 template <class T, class = void> inline constexpr bool has_enclosures_v = false;
 template <class T>
 inline constexpr bool has_enclosures_v<
-    T, std::void_t<decltype(mpfr_set_q(nullptr, rational_data(std::declval<const T&>()), MPFR_RNDD))>> = true;
+    T, std::void_t<decltype(mpfr_set_q(nullptr, internal::rational_data(std::declval<const T&>()), MPFR_RNDD))>> = true;
 
 /// [lower, upper] with endpoints of one precision; operations take the larger of their operands' precisions.
 /// \guarantee every operation encloses the exact result; division by an interval that holds 0, and square roots of
@@ -98,9 +100,10 @@ class Mpfr_interval {
     mpfr_set_ld(hi_.get(), value, MPFR_RNDU);
   }
   Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision)
-      : Mpfr_interval(rational_data(value), precision) {}
+      : Mpfr_interval(internal::rational_data(value), precision) {}
   template <class Rational, class = std::enable_if_t<has_enclosures_v<Rational>>>
-  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(rational_data(value), precision) {}
+  Mpfr_interval(const Rational& value, mpfr_prec_t precision)
+      : Mpfr_interval(internal::rational_data(value), precision) {}
 
   /// +1 or -1 where every value has that sign, else 0.
   [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
@@ -144,10 +147,11 @@ class Mpfr_interval {
   }
   [[nodiscard]] static Mpfr_interval whole(mpfr_prec_t precision);
   using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
-  [[nodiscard]] static Mpfr_interval by_signs(const Mpfr_interval& a, const Mpfr_interval& b, const Mpfr_number& b_low,
-                                              const Mpfr_number& b_high, Operation operation);
+  [[nodiscard]] static Mpfr_interval by_signs(const Mpfr_interval& a, const Mpfr_interval& b,
+                                              const internal::Mpfr_number& b_low, const internal::Mpfr_number& b_high,
+                                              Operation operation);
 
-  Mpfr_number lo_, hi_;
+  internal::Mpfr_number lo_, hi_;
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -68,6 +68,7 @@ template <class Expression> class Basic_root_number {
 
 using Root_number = Basic_root_number<CORE::Expr>;
 
+namespace internal {
 /// The number x, without a rounding.
 template <class Rational> [[nodiscard]] Root_number to_root(const Rational& x) {
   std::ostringstream text;
@@ -77,15 +78,16 @@ template <class Rational> [[nodiscard]] Root_number to_root(const Rational& x) {
 template <class ET> [[nodiscard]] Root_number to_root(const CGAL::Lazy_exact_nt<ET>& x) { return to_root(x.exact()); }
 [[nodiscard]] inline Root_number to_root(double x) { return Root_number(x); }
 [[nodiscard]] inline Root_number to_root(long double x) { return Root_number(x); }
+}  // namespace internal
 
 /// Converts to exact numbers with square roots.
 template <> struct Converter<Root_number> {
-  template <class Source> Root_number operator()(const Source& x) const { return to_root(x); }
+  template <class Source> Root_number operator()(const Source& x) const { return internal::to_root(x); }
 };
 
 /// For programs that read CORE's header themselves.
 template <> struct Converter<CORE::Expr> {
-  template <class Source> auto operator()(const Source& x) const { return to_root(x).expression(); }
+  template <class Source> auto operator()(const Source& x) const { return internal::to_root(x).expression(); }
 };
 
 }  // namespace CGAL::Bounding_arcs

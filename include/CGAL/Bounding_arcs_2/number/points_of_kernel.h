@@ -17,6 +17,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// What is in a range.
 template <class Range> using Element_of = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
 /// The representation of what is in a range: there is one of points of a kernel only.
@@ -33,6 +34,7 @@ template <class NT, class Points> [[nodiscard]] std::vector<Xy<NT>> points_of_ke
   for (const auto& p : points) result.push_back(point_of_kernel<NT>(p));
   return result;
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -21,84 +21,11 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// What goes round a corner on its outer side.
-enum class Offset_join : std::uint8_t {
-  ROUND,  ///< an arc about the corner: all is at one distance
-  MITER,  ///< the tangents until they meet, or BEVEL above the limit
-  BEVEL   ///< the segment between the ends
-};
-/// What goes round an end of an open curve.
-enum class Offset_cap : std::uint8_t {
-  ROUND,  ///< half a circle
-  BUTT,   ///< the segment through the end
-  SQUARE  ///< the same, farther by the distance
-};
-/// What of the band around curves. With LEFT or RIGHT closed curves have a band, too, and enclose nothing: the left of
-/// one that runs counterclockwise is its inset, its right the outset.
-enum class Offset_side : std::uint8_t {
-  BOTH,  ///< its whole boundary, closed chains; of closed curves the boundary of what they enclose, grown or shrunk
-  LEFT,  ///< what of the band's boundary comes from the left of the curve, seen along it: open chains, or whole loops
-  RIGHT
-};
-
-/// How curves are offset: joins, caps, sides and the fill rule. The defaults give round joins and caps, both sides, and
-/// the nonzero rule: all points of the offset are then at the distance |d|.
-/// \code
-/// Offset_options options;
-/// options.join = Offset_join::MITER;
-/// const Offset grown = offset(tree, 0.1, 1e-4, options);
-/// \endcode
-struct Offset_options {
-  Offset_join join = Offset_join::ROUND;
-  double miter_limit = 4;  ///< the largest distance of a miter's tip from its corner, over |d|; at least 1
-  Offset_cap cap = Offset_cap::ROUND;
-  Offset_side side = Offset_side::BOTH;
-  Fill_rule rule = Fill_rule::NONZERO;
-};
-
-/// What an arc of an offset is the offset of.
-enum class Offset_kind : std::uint8_t { CURVE, JOIN, CAP };
-
-/// An arc or a segment of an offset, and what it is the offset of.
-struct Offset_piece {
-  Arc_2 arc;
-  Curve_place source;  ///< of its start; t is interpolated within an arc's [t0, t1]
-  double t_end = 0;    ///< of its end
-  Offset_kind kind = Offset_kind::CURVE;
-  bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not, nor are lines
-                         ///< that miters and caps lead on
-  std::int32_t bezier_step = 0;  ///< how many Bezier pieces behind that of its start its end is, or before it
-};
-
-/// The Bezier piece that the end of a piece is the offset of.
-[[nodiscard]] inline std::uint32_t bezier_of_end(const Offset_piece& piece) {
-  return piece.source.bezier + static_cast<std::uint32_t>(piece.bezier_step);
-}
-
-/// Pieces that follow each other.
-struct Offset_chain {
-  std::vector<Offset_piece> pieces;   ///< each starts where the one before ends, bit for bit
-  bool is_closed = true;              ///< else a chain of one side of a curve; chains of one side run as curves do
-  bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
-  double area = 0;                    ///< of what it encloses, negative if clockwise
-  std::optional<std::size_t> parent;  ///< the innermost chain around it
-};
-
-/// Writes the arcs of a chain as those of an Arc_chain are written.
-std::ostream& operator<<(std::ostream& out, const Offset_chain& chain);
-
-/// What came of an offset.
-enum class Offset_status : std::uint8_t {
-  COMPLETE,
-  RESOLUTION_REACHED,  ///< eps is below what coordinates resolve; `error` was reached
-  UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
-};
-
 /// The offset of a drawing at one distance: chains of arcs and segments that do not cross.
 /// \code
 /// const Offset grown = offset(tree, 0.1, 1e-4);  // outwards; -0.1 is inwards
-/// for (const Offset_chain& chain : grown.chains)
-///   for (const Offset_piece& piece : chain.pieces) std::cout << piece.arc.from.x << ' ' << piece.arc.bulge << '\n';
+/// for (const Offset::Chain& chain : grown.chains)
+///   for (const Offset::Piece& piece : chain.pieces) std::cout << piece.arc.from.x << ' ' << piece.arc.bulge << '\n';
 /// \endcode
 /// Chains round regions run counterclockwise, chains round holes clockwise, and `parent` nests them. An offset inwards
 /// may have no chains: nothing is left. Each piece is an arc by its ends and bulge, and names the place of the curve
@@ -110,12 +37,89 @@ enum class Offset_status : std::uint8_t {
 /// Chains become polygons of CGAL by offset_polygons() of exchange/general_polygon.h, and path data of SVG by
 /// svg_path() of exchange/svg_path.h. To offset them again, make an Offset_source_2 of them.
 struct Offset {
+  /// What goes round a corner on its outer side.
+  enum class Join : std::uint8_t {
+    ROUND,  ///< an arc about the corner: all is at one distance
+    MITER,  ///< the tangents until they meet, or BEVEL above the limit
+    BEVEL   ///< the segment between the ends
+  };
+
+  /// What goes round an end of an open curve.
+  enum class Cap : std::uint8_t {
+    ROUND,  ///< half a circle
+    BUTT,   ///< the segment through the end
+    SQUARE  ///< the same, farther by the distance
+  };
+
+  /// What of the band around curves. With LEFT or RIGHT closed curves have a band, too, and enclose nothing: the left
+  /// of one that runs counterclockwise is its inset, its right the outset.
+  enum class Side : std::uint8_t {
+    BOTH,  ///< its whole boundary, closed chains; of closed curves the boundary of what they enclose, grown or shrunk
+    LEFT,  ///< what of the band's boundary comes from the left of the curve, seen along it: open chains, or whole loops
+    RIGHT
+  };
+
+  /// How curves are offset: joins, caps, sides and the fill rule. The defaults give round joins and caps, both sides,
+  /// and the nonzero rule: all points of the offset are then at the distance |d|.
+  /// \code
+  /// Offset::Options options;
+  /// options.join = Offset::Join::MITER;
+  /// const Offset grown = offset(tree, 0.1, 1e-4, options);
+  /// \endcode
+  struct Options {
+    Join join = Join::ROUND;
+    double miter_limit = 4;  ///< the largest distance of a miter's tip from its corner, over |d|; at least 1
+    Cap cap = Cap::ROUND;
+    Side side = Side::BOTH;
+    Fill_rule rule = Fill_rule::NONZERO;
+  };
+
+  /// What an arc of an offset is the offset of.
+  enum class Kind : std::uint8_t { CURVE, JOIN, CAP };
+
+  /// An arc or a segment of an offset, and what it is the offset of.
+  struct Piece {
+    Arc_2 arc;
+    Curve_place source;  ///< of its start; t is interpolated within an arc's [t0, t1]
+    double t_end = 0;    ///< of its end
+    Kind kind = Kind::CURVE;
+    bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not, nor are lines
+                           ///< that miters and caps lead on
+    std::int32_t bezier_step = 0;  ///< how many Bezier pieces behind that of its start its end is, or before it
+
+    /// The Bezier piece that the end is the offset of.
+    [[nodiscard]] std::uint32_t bezier_of_end() const {
+      return source.bezier + static_cast<std::uint32_t>(bezier_step);
+    }
+  };
+
+  /// Pieces that follow each other.
+  struct Chain {
+    std::vector<Piece> pieces;          ///< each starts where the one before ends, bit for bit
+    bool is_closed = true;              ///< else a chain of one side of a curve; chains of one side run as curves do
+    bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
+    double area = 0;                    ///< of what it encloses, negative if clockwise
+    std::optional<std::size_t> parent;  ///< the innermost chain around it
+
+    /// Writes the arcs of a chain as those of an Arc_chain are written.
+    friend std::ostream& operator<<(std::ostream& out, const Chain& chain);
+  };
+
+  /// What came of an offset.
+  enum class Status : std::uint8_t {
+    COMPLETE,
+    RESOLUTION_REACHED,  ///< eps is below what coordinates resolve; `error` was reached
+    UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
+  };
+
+  struct Error;  ///< how far points are from where they should be, offset_bracket.h
+
   double distance = 0;
-  std::vector<Offset_chain> chains;
+  std::vector<Chain> chains;
   double error = 0;  ///< points of round pieces are at |d| +- error from the curves, or what of them bounds
-  Offset_status status = Offset_status::COMPLETE;
+  Status status = Status::COMPLETE;
   std::optional<Xy<double>> unresolved;  ///< a place where parts touch so, where `status` is UNRESOLVED
-  Offset_side side = Offset_side::BOTH;  ///< what was asked for
+  Side side = Side::BOTH;                ///< what was asked for
 
   /// Tells whether the offset is in order, without the curves that it is of. Numbers are finite, and parameters are
   /// in [0, 1]. Pieces of a chain follow each other bit for bit, and closed chains come back to where they start.
@@ -124,9 +128,9 @@ struct Offset {
   /// \complexity linear in the pieces
   [[nodiscard]] bool is_valid() const;
 
-  /// Writes a line for each piece of each chain, as Offset_chain does, and an empty line behind the chain.
+  /// Writes a line for each piece of each chain, as Chain does, and an empty line behind the chain.
   friend std::ostream& operator<<(std::ostream& out, const Offset& all) {
-    for (const Offset_chain& one : all.chains) out << one << '\n';
+    for (const Chain& one : all.chains) out << one << '\n';
     return out;
   }
 };

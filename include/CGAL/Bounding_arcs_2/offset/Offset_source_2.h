@@ -35,7 +35,7 @@ class Offset_sources;  // src/library/offset/Offset_sources.h
 /// const std::vector<Offset> paths = source.at(std::vector<double>{-0.1, -0.2, -0.3});
 /// \endcode
 /// Distances above 0 grow what closed curves enclose, distances below 0 shrink it. Open curves get a band on both
-/// sides. Offset_options has joins, caps, sides and the fill rule. Time grows with the third root of 1 / eps, so a
+/// sides. Offset::Options has joins, caps, sides and the fill rule. Time grows with the third root of 1 / eps, so a
 /// small eps is cheap. insets() of offset_series.h goes on until nothing is left, and offset_bracket() has two offsets
 /// that certainly lie inside and outside of the true one.
 class Offset_source_2 {
@@ -43,12 +43,12 @@ class Offset_source_2 {
   /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for
   ///   curves out of the range of check_queried
-  Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options = {});
+  Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset::Options& options = {});
 
   /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
   /// are, so that no error is added.
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
-  Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {});
+  Offset_source_2(const std::vector<Offset::Chain>& chains, double eps, const Offset::Options& options = {});
 
   /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
   /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
@@ -86,7 +86,7 @@ class Offset_source_2 {
 /// Returns the offset of a tree's curves at one distance, see Offset_source_2::at.
 /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
 [[nodiscard]] inline Offset offset(const Bounding_arc_tree_2& tree, double d, double eps,
-                                   const Offset_options& options = {}) {
+                                   const Offset::Options& options = {}) {
   return Offset_source_2(tree, eps, options).at(d);
 }
 

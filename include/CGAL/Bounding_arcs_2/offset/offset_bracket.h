@@ -33,12 +33,12 @@ namespace CGAL::Bounding_arcs {
 /// const auto error = offset_error(tree, offset(tree, 0.1, 1e-4), 1e-6);
 /// if (error) std::cout << error->nearest.lower << " to " << error->farthest.upper << '\n';
 /// \endcode
-struct Offset_error {
+struct Offset::Error {
   Bracket nearest;   ///< of the point that is nearest to the curves; negative if it is nearer than |d|
   Bracket farthest;  ///< of the point that is farthest from the curves
 
   /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Offset_error& answer) {
+  friend std::ostream& operator<<(std::ostream& out, const Error& answer) {
     return out << answer.nearest << ' ' << answer.farthest;
   }
 };
@@ -51,8 +51,8 @@ struct Offset_error {
 /// \return nothing for an offset without round pieces or a drawing without curves
 /// \guarantee certified for the arcs as they are given, but for the rounding of quadratic_of()
 /// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / eps
-[[nodiscard]] std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& tree, const Offset& offset,
-                                                       double eps);
+[[nodiscard]] std::optional<Offset::Error> offset_error(const Bounding_arc_tree_2& tree, const Offset& offset,
+                                                        double eps);
 
 /// Two offsets with the true one between them. The region of `inside` lies inside of the true offset's region, and that
 /// of `outside` holds it. Take a bracket where a verdict hangs on the offset, such as whether a tool fits.
@@ -76,7 +76,7 @@ struct Offset_bracket {
 ///   from the boundary of what these fill. A point of `inside` and the point of `outside` nearest to it have distances
 ///   that differ by no more than eps
 [[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps,
-                                            const Offset_options& options = {});
+                                            const Offset::Options& options = {});
 
 /// Returns what is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance
 /// or a tool's way.

@@ -18,7 +18,7 @@ namespace CGAL::Bounding_arcs {
 /// \param step a positive length; there are as many insets as steps to the center of the largest inscribed circle
 /// \throws std::invalid_argument for a step that is not larger than eps, and as Offset_source_2
 [[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps,
-                                         const Offset_options& options = {});
+                                         const Offset::Options& options = {});
 
 /// Two offsets one after the other; pieces of the second have pieces of the first as their places: `curve` is a chain,
 /// `bezier` a piece of it.
@@ -31,16 +31,16 @@ struct Offset_twice {
 /// \guarantee each of both as Offset_source_2::at, of half of eps: the second's points are that far from the first's
 ///   chains; the second is not COMPLETE where the first is not
 [[nodiscard]] Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
-                                        const Offset_options& options = {});
+                                        const Offset::Options& options = {});
 
 /// Returns the opening: what discs of a radius cover that are in what closed curves enclose.  Round outer corners are
 /// left.
 [[nodiscard]] Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps,
-                             const Offset_options& options = {});
+                             const Offset::Options& options = {});
 /// Returns the closing: what discs of a radius do not cover that are outside.  Gaps are closed, and inner corners
 /// rounded.
 [[nodiscard]] Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps,
-                             const Offset_options& options = {});
+                             const Offset::Options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -20,82 +20,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// What an outline or an overlay is known to be.
-enum class Outline_status : std::uint8_t {
-  COMPLETE,  ///< exactly what was asked for; always so with exact decisions
-  UNDECIDED  ///< doubles left something open, and nothing else decides: there is no more than this
-};
-
-/// Where two curves meet in a way that was not decided.
-struct Undecided_meeting {
-  /// A Bezier piece of one of the drawings.
-  struct Of {
-    std::uint32_t operand = 0, curve = 0, bezier = 0;
-  };
-  Xy<double> at;  ///< about
-  Of a, b;
-};
-
-/// Says where an overlay cuts curves, beside the places where they meet.
-struct Overlay_options {
-  bool at_joints = false;  ///< where Bezier pieces join, too: each source of an edge has one part then
-};
-
-/// A point where curves meet or end, or are a point.
-struct Overlay_vertex {
-  Xy<double> point;                   ///< the vertex but for rounding
-  Bracket x, y;                       ///< hold its coordinates
-  std::optional<std::uint32_t> face;  ///< the face that it is in, of a vertex without edges
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Overlay_vertex& answer) {
-    return out << answer.x << ' ' << answer.y;
-  }
-};
-
-/// A part of a Bezier piece.
-struct Overlay_part {
-  std::uint32_t bezier = 0;  ///< of its curve
-  Bracket from, to;          ///< hold the parameters of start and end, which may be nearer than doubles tell
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Overlay_part& answer) {
-    return out << answer.bezier << ' ' << answer.from << ' ' << answer.to;
-  }
-};
-
-/// A curve that runs along an edge.
-struct Overlay_source {
-  std::uint32_t operand = 0;        ///< the number of the drawing, in the order in which they were given
-  std::uint32_t curve = 0;          ///< of that drawing
-  bool is_closed = false;           ///< whether the curve is; an open one runs round nothing
-  bool is_reversed = false;         ///< whether it runs against the edge: `from` of parts is above `to`
-  std::vector<Overlay_part> parts;  ///< in the direction of the edge
-};
-
-/// A part of curves between two vertices, with none inside. It may be shorter than doubles tell.
-struct Overlay_edge {
-  std::optional<std::uint32_t> from, to;  ///< vertices; none of a closed curve without any
-  std::uint32_t left = 0, right = 0;      ///< faces
-  std::vector<Overlay_source> sources;    ///< all curves that run along it; the edge runs as the first one does
-};
-
-/// An edge as it is run through along the boundary of a face.
-struct Overlay_side {
-  std::uint32_t edge = 0;
-  bool is_reversed = false;  ///< against the edge
-};
-
-/// A connected part of the plane without the curves.
-struct Overlay_face {
-  bool is_bounded = true;  ///< all but face 0 are
-  /// Closed ways along edges, with the face on the left. The outer one comes first; face 0 has none such. Both sides of
-  /// an edge are in them where that has the face on both.
-  std::vector<std::vector<Overlay_side>> boundaries;
-  /// A side with the face on its left, and a face of a lesser number on its right; none of face 0.
-  std::optional<Overlay_side> way_out;
-};
-
 /// What curves cut the plane into: vertices, edges and faces, decided exactly. Face 0 is around all curves.
 /// \code
 /// const Overlay_2 cells = overlay(tree, other);  // overlay.h
@@ -108,18 +32,94 @@ struct Overlay_face {
 /// which operands a face is inside of: for_each_face() visits all faces with theirs, windings() has those of one face.
 /// face_area() has two bounds of an area.
 ///
-/// Curves may be open. They may touch, run together, fold back, or be points. With Overlay_options::at_joints edges
+/// Curves may be open. They may touch, run together, fold back, or be points. With Overlay_2::Options::at_joints edges
 /// also end where Bezier pieces join, so that each is a part of one piece.
 ///
 /// Take boolean_operation() where you want one region and not all faces. Take Arr_curve_traits_2 where you need an
 /// algorithm of CGAL's arrangements; it is slower.
 struct Overlay_2 {
-  std::vector<Overlay_vertex> vertices;
-  std::vector<Overlay_edge> edges;
-  std::vector<Overlay_face> faces;
+  /// What an overlay, an outline or parts of clipped curves are known to be.
+  enum class Status : std::uint8_t {
+    COMPLETE,  ///< exactly what was asked for; always so with exact decisions
+    UNDECIDED  ///< doubles left something open, and nothing else decides: there is no more than this
+  };
+
+  /// Where two curves meet in a way that was not decided.
+  struct Undecided {
+    /// A Bezier piece of one of the drawings.
+    struct Of {
+      std::uint32_t operand = 0, curve = 0, bezier = 0;
+    };
+    Xy<double> at;  ///< about
+    Of a, b;
+  };
+
+  /// Says where an overlay cuts curves, beside the places where they meet.
+  struct Options {
+    bool at_joints = false;  ///< where Bezier pieces join, too: each source of an edge has one part then
+  };
+
+  /// A point where curves meet or end, or are a point.
+  struct Vertex {
+    Xy<double> point;                   ///< the vertex but for rounding
+    Bracket x, y;                       ///< hold its coordinates
+    std::optional<std::uint32_t> face;  ///< the face that it is in, of a vertex without edges
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Vertex& answer) {
+      return out << answer.x << ' ' << answer.y;
+    }
+  };
+
+  /// A part of a Bezier piece.
+  struct Part {
+    std::uint32_t bezier = 0;  ///< of its curve
+    Bracket from, to;          ///< hold the parameters of start and end, which may be nearer than doubles tell
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Part& answer) {
+      return out << answer.bezier << ' ' << answer.from << ' ' << answer.to;
+    }
+  };
+
+  /// A curve that runs along an edge.
+  struct Source {
+    std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
+    std::uint32_t curve = 0;    ///< of that drawing
+    bool is_closed = false;     ///< whether the curve is; an open one runs round nothing
+    bool is_reversed = false;   ///< whether it runs against the edge: `from` of parts is above `to`
+    std::vector<Part> parts;    ///< in the direction of the edge
+  };
+
+  /// A part of curves between two vertices, with none inside. It may be shorter than doubles tell.
+  struct Edge {
+    std::optional<std::uint32_t> from, to;  ///< vertices; none of a closed curve without any
+    std::uint32_t left = 0, right = 0;      ///< faces
+    std::vector<Source> sources;            ///< all curves that run along it; the edge runs as the first one does
+  };
+
+  /// An edge as it is run through along the boundary of a face.
+  struct Side {
+    std::uint32_t edge = 0;
+    bool is_reversed = false;  ///< against the edge
+  };
+
+  /// A connected part of the plane without the curves.
+  struct Face {
+    bool is_bounded = true;  ///< all but face 0 are
+    /// Closed ways along edges, with the face on the left. The outer one comes first; face 0 has none such. Both sides
+    /// of an edge are in them where that has the face on both.
+    std::vector<std::vector<Side>> boundaries;
+    /// A side with the face on its left, and a face of a lesser number on its right; none of face 0.
+    std::optional<Side> way_out;
+  };
+
+  std::vector<Vertex> vertices;
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
   std::size_t number_of_operands = 0;
-  Outline_status status = Outline_status::COMPLETE;
-  std::optional<Undecided_meeting> undecided;  ///< where `status` is UNDECIDED; then there is nothing else
+  Status status = Status::COMPLETE;
+  std::optional<Undecided> undecided;  ///< where `status` is UNDECIDED; then there is nothing else
 
   /// Returns how often the closed curves of each operand run round a face, counterclockwise more than 0.
   /// \complexity that of the edges on a way to face 0
@@ -147,13 +147,13 @@ struct Overlay_2 {
 
  private:
   [[nodiscard]] std::uint32_t out_of(std::uint32_t face) const {
-    const Overlay_side& side = *faces[face].way_out;
+    const Side& side = *faces[face].way_out;
     return side.is_reversed ? edges[side.edge].left : edges[side.edge].right;
   }
   // The left of a closed curve has one more than its right.
   void go_in(std::uint32_t face, int sign, std::vector<int>& windings) const {
-    const Overlay_side& side = *faces[face].way_out;
-    for (const Overlay_source& s : edges[side.edge].sources)
+    const Side& side = *faces[face].way_out;
+    for (const Source& s : edges[side.edge].sources)
       if (s.is_closed) windings[s.operand] += s.is_reversed == side.is_reversed ? sign : -sign;
   }
 };
@@ -167,15 +167,15 @@ struct Overlay_2 {
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap
 [[nodiscard]] Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                const Overlay_options& options = {});
+                                const Overlay_2::Options& options = {});
 
 /// Returns what a tree's curves cut the plane into. See above.
-[[nodiscard]] inline Overlay_2 overlay(const Bounding_arc_tree_2& tree, const Overlay_options& options = {}) {
+[[nodiscard]] inline Overlay_2 overlay(const Bounding_arc_tree_2& tree, const Overlay_2::Options& options = {}) {
   return overlay({&tree}, options);
 }
 /// Returns what the curves of two trees cut the plane into. See above.
 [[nodiscard]] inline Overlay_2 overlay(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
-                                       const Overlay_options& options = {}) {
+                                       const Overlay_2::Options& options = {}) {
   return overlay({&a, &b}, options);
 }
 

@@ -22,6 +22,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// The binomial coefficients C(n,0) ... C(n,n), computed by additions alone.
 template <class NT> [[nodiscard]] std::vector<NT> binomials(int n) {
   std::vector<NT> row(static_cast<std::size_t>(n) + 1, NT(1));
@@ -54,6 +55,7 @@ class Sign_variations {
   int plus_ = -1, minus_ = -1;            // the most variations of a choice so far that ends in + or in -
   int last_ = 0;
 };
+}  // namespace internal
 
 /// The polynomial sum c_i t^i (1-t)^(n-i), n the formal degree.
 /// NT is a ring; over intervals or numbers with error bounds every result encloses the exact one.
@@ -72,7 +74,7 @@ template <class NT> class Bernstein_polynomial {
   explicit Bernstein_polynomial(Coefficients bernstein) : c_(std::move(bernstein)) {
     if (c_.empty()) c_.assign(1, NT(0));
     if (c_.size() < 3) return;
-    const Coefficients factors = binomials<NT>(degree());
+    const Coefficients factors = internal::binomials<NT>(degree());
     for (std::size_t i = 1; i + 1 < c_.size(); ++i) c_[i] = NT(c_[i] * factors[i]);
   }
 
@@ -89,7 +91,7 @@ template <class NT> class Bernstein_polynomial {
   /// The i-th ordinary Bernstein coefficient; NT must be a field.
   [[nodiscard]] NT coefficient(int i) const {
     const auto k = static_cast<std::size_t>(i);
-    return NT(c_[k] / binomials<NT>(degree())[k]);
+    return NT(c_[k] / internal::binomials<NT>(degree())[k]);
   }
 
   /// sum c_i t^i s^(n-i): the value at t when s = 1 - t, a positive multiple of the value at t/(t+s) when t + s > 0.
@@ -204,6 +206,7 @@ template <class NT> class Bernstein_polynomial {
   Coefficients c_;
 };
 
+namespace internal {
 /// The sign variations of the coefficients, at least the number of roots in (0,1) with multiplicity and of its parity;
 /// NT has exact signs.
 template <class NT> [[nodiscard]] Sign_variations sign_variations(const Bernstein_polynomial<NT>& p) {
@@ -212,6 +215,7 @@ template <class NT> [[nodiscard]] Sign_variations sign_variations(const Bernstei
     if (const int s = static_cast<int>(CGAL::sign(c))) v.append(s);
   return v;
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

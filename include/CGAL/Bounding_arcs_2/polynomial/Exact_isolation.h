@@ -21,8 +21,10 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// A list with room for the cuts of most curves without an allocation.
 template <class T> using Short_list = boost::container::small_vector<T, 8>;
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

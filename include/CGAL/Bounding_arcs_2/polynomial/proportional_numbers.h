@@ -21,14 +21,17 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// Integers and the least common denominator of the fractions that they are the numerators of.
 template <class Integer> struct Cleared_numbers {
   std::vector<Integer> numbers;
   Integer denominator{1};
 };
+}  // namespace internal
+
 template <class Fraction, class Integer = typename Fraction_traits<Fraction>::Numerator_type>
-[[nodiscard]] Cleared_numbers<Integer> cleared(const std::vector<Fraction>& fractions) {
-  Cleared_numbers<Integer> r;
+[[nodiscard]] internal::Cleared_numbers<Integer> cleared(const std::vector<Fraction>& fractions) {
+  internal::Cleared_numbers<Integer> r;
   std::vector<Integer> denominators;
   for (const Fraction& x : fractions) {
     Integer numerator, denominator;
@@ -43,6 +46,7 @@ template <class Fraction, class Integer = typename Fraction_traits<Fraction>::Nu
   return r;
 }
 
+namespace internal {
 /// Integers proportional to given rationals, by a positive factor; other exact numbers stay what they are.
 template <class Exact, class IsFraction = typename Fraction_traits<Exact>::Is_fraction> struct Proportional_integers {
   using Ring = Exact;
@@ -95,6 +99,7 @@ template <class Exact> std::vector<Double_double> normalized(std::vector<Exact> 
   for (const Exact& x : a) r.push_back(to_double_double(Exact(x * factor)));
   return r;
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

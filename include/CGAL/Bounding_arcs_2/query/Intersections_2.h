@@ -22,35 +22,35 @@ namespace CGAL::Bounding_arcs {
 /// Tangential: the tangents are parallel there, or one piece has none, as in a cusp.
 enum class Intersection_kind { TRANSVERSAL, TANGENTIAL, UNDECIDED };
 
-/// A common point, the first piece's parameter and the second one's, both in [0, 1].
-/// A bracket holds one exact parameter. It is at most three doubles wide, and a single double only where the parameter
-/// is that double.
-struct Piece_intersection {
-  Bracket a, b;
-  Intersection_kind kind = Intersection_kind::UNDECIDED;
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Piece_intersection& answer) {
-    return out << answer.a << ' ' << answer.b;
-  }
-};
-
-/// Common points without end: while the first piece runs from a_from up to a_to, the second one runs from b_from to
-/// b_to, up or down, through the same points. A piece that is a single point stays there all the time.
-struct Piece_overlap {
-  Bracket a_from, a_to, b_from, b_to;
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Piece_overlap& answer) {
-    return out << answer.a_from << ' ' << answer.a_to << ' ' << answer.b_from << ' ' << answer.b_to;
-  }
-};
-
 /// All that is common, each list sorted by the first piece's parameter, then by the second one's.
 /// A pair of parameters on an overlap, its ends included, is not among the points.
 struct Piece_intersections {
-  std::vector<Piece_intersection> points;
-  std::vector<Piece_overlap> overlaps;
+  /// A common point, the first piece's parameter and the second one's, both in [0, 1].
+  /// A bracket holds one exact parameter. It is at most three doubles wide, and a single double only where the
+  /// parameter is that double.
+  struct Intersection {
+    Bracket a, b;
+    Intersection_kind kind = Intersection_kind::UNDECIDED;
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Intersection& answer) {
+      return out << answer.a << ' ' << answer.b;
+    }
+  };
+
+  /// Common points without end: while the first piece runs from a_from up to a_to, the second one runs from b_from to
+  /// b_to, up or down, through the same points. A piece that is a single point stays there all the time.
+  struct Overlap {
+    Bracket a_from, a_to, b_from, b_to;
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Overlap& answer) {
+      return out << answer.a_from << ' ' << answer.a_to << ' ' << answer.b_from << ' ' << answer.b_to;
+    }
+  };
+
+  std::vector<Intersection> points;
+  std::vector<Overlap> overlaps;
 };
 
 /// A place of a drawing whose parameter is in a range, in [0, 1]: that at a joint of two pieces is the later one's
@@ -62,18 +62,6 @@ struct Curve_range {
   /// Writes the members in their order, with a blank between.
   friend std::ostream& operator<<(std::ostream& out, const Curve_range& answer) {
     return out << answer.curve << ' ' << answer.bezier << ' ' << answer.t;
-  }
-};
-
-/// A common point. One that is undecided may be none, several or a part that is shared, all of them in these ranges.
-template <class Point = Xy<double>> struct Intersection_2 {
-  Point point;  ///< of curve a in the middle of its range, which is as wide as curves are nearly parallel
-  Intersection_kind kind;
-  Curve_range a, b;
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Intersection_2& answer) {
-    return out << answer.point << ' ' << answer.a << ' ' << answer.b;
   }
 };
 
@@ -97,12 +85,24 @@ struct Overlap_2 {
 /// for (const Overlap_2& part : found.overlaps) std::cout << "along curve " << part.a_from.curve << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Intersections_2 {
-  std::vector<Intersection_2<Point>> points;
+  /// A common point. One that is undecided may be none, several or a part that is shared, all of them in these ranges.
+  struct Intersection {
+    Point point;  ///< of curve a in the middle of its range, which is as wide as curves are nearly parallel
+    Intersection_kind kind;
+    Curve_range a, b;
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Intersection& answer) {
+      return out << answer.point << ' ' << answer.a << ' ' << answer.b;
+    }
+  };
+
+  std::vector<Intersection> points;
   std::vector<Overlap_2> overlaps;
 
   template <class Other> operator Intersections_2<Other>() const {  // NOLINT: the same with another kernel's points
     Intersections_2<Other> result{{}, overlaps};
-    for (const auto& p : points) result.points.push_back({answered<Other>(p.point), p.kind, p.a, p.b});
+    for (const auto& p : points) result.points.push_back({internal::answered<Other>(p.point), p.kind, p.a, p.b});
     return result;
   }
 

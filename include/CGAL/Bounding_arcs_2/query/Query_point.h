@@ -2,18 +2,21 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What searches for closest points answer.
+// What searches for closest points and point location answer.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
-#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
-#include <CGAL/Bounding_arcs_2/query/Winding_number.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <cmath>
 #include <cstdint>
@@ -21,6 +24,21 @@
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
+
+/// How often closed curves run round a point.
+struct Winding_number {
+  /// Whether there is a number: there is none on a curve.
+  enum class State : std::uint8_t { DECIDED, ON, UNDECIDED };
+  State state = State::DECIDED;
+  int number = 0;  ///< of all curves together, positive counterclockwise; 0 unless it is decided
+};
+
+/// The side that a winding number has under a fill rule; uncertain where that is undecided.
+[[nodiscard]] inline Uncertain<Bounded_side> side_of(const Winding_number& w, Fill_rule rule) {
+  if (w.state == Winding_number::State::ON) return ON_BOUNDARY;
+  if (w.state == Winding_number::State::UNDECIDED) return Uncertain<Bounded_side>::indeterminate();
+  return is_filled(rule, w.number) ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
+}
 
 /// How a search ended. Its bracket holds the true number whatever the status is.
 enum class Query_status : std::uint8_t {
@@ -48,7 +66,7 @@ template <class Point = Xy<double>> struct Closest_point {
   Query_status status = Query_status::COMPLETE;
 
   template <class Other> operator Closest_point<Other>() const {  // NOLINT: the same with another kernel's point
-    return {distance, answered<Other>(point), place, status};
+    return {distance, internal::answered<Other>(point), place, status};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -79,23 +97,12 @@ template <class Point = Xy<double>> struct Signed_distance {
   }
 
   template <class Other> operator Signed_distance<Other>() const {  // NOLINT: the same with another kernel's point
-    return {distance, side, answered<Other>(point), place, status};
+    return {distance, side, internal::answered<Other>(point), place, status};
   }
 
   /// Writes the members in their order, with a blank between.
   friend std::ostream& operator<<(std::ostream& out, const Signed_distance& answer) {
     return out << answer.distance << ' ' << answer.point << ' ' << answer.place;
-  }
-};
-
-/// A point of one of two drawings.
-template <class Point = Xy<double>> struct Drawing_point {
-  Point point;  ///< on the curve but for rounding
-  Curve_place place;
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Drawing_point& answer) {
-    return out << answer.point << ' ' << answer.place;
   }
 };
 
@@ -105,12 +112,24 @@ template <class Point = Xy<double>> struct Drawing_point {
 ///   std::cout << gap->distance.lower << " between " << gap->a.point << " and " << gap->b.point << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Drawing_distance {
+  /// A point of one of two drawings.
+  struct End {
+    Point point;  ///< on the curve but for rounding
+    Curve_place place;
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const End& answer) {
+      return out << answer.point << ' ' << answer.place;
+    }
+  };
+
   Bracket distance;  ///< of the exact curves
-  Drawing_point<Point> a, b;
+  End a, b;
   Query_status status = Query_status::COMPLETE;
 
   template <class Other> operator Drawing_distance<Other>() const {  // NOLINT: the same with another kernel's points
-    return {distance, {answered<Other>(a.point), a.place}, {answered<Other>(b.point), b.place}, status};
+    return {
+        distance, {internal::answered<Other>(a.point), a.place}, {internal::answered<Other>(b.point), b.place}, status};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -119,12 +138,14 @@ template <class Point = Xy<double>> struct Drawing_distance {
   }
 };
 
+namespace internal {
 /// \throws std::invalid_argument for a point that is no number or out of the range of queries
 inline void check_point(const Xy<double>& q) {
   if (!std::isfinite(q.x) || !std::isfinite(q.y))
     throw std::invalid_argument(expected("point", "finite coordinates", q));
   if (!is_queried(q)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 (3e150)", q));
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

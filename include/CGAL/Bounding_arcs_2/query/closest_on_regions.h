@@ -58,7 +58,7 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
                                                                      const Point& q, double eps) {
   static_assert(std::is_same_v<typename Traits::FT, double>, "closest_point takes regions over double");
   const Asked_point asked(q);
-  check_point(asked.point);
+  internal::check_point(asked.point);
   check_above_zero("eps", eps);
   if (regions.spirals().empty()) return std::nullopt;
 
@@ -110,7 +110,8 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
   }
   best.distance.lower = (std::min)({settled, open.empty() ? settled : open.top().lower, best.distance.upper});
   if (best.distance.width() > eps) best.status = Query_status::RESOLUTION_REACHED;
-  return Closest_on_segment<Point>{best.distance, answered<Point>(best.point), best.segment, best.t, best.status};
+  return Closest_on_segment<Point>{best.distance, internal::answered<Point>(best.point), best.segment, best.t,
+                                   best.status};
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The point of a drawing nearest to a point, or to each of many points, with its distance between two bounds.
+// The point of a drawing nearest to a point, or to each of many points, with its distance between two bounds; all
+// points that are about as near, and the nearest curves.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
@@ -48,18 +49,44 @@ template <class Point = Default_kernel::Point_2>
 /// \guarantee as closest_point
 /// \throws std::invalid_argument for a point that is no number
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
-[[nodiscard]] std::vector<Closest_point<Element_of<Points>>> closest_points_of_all(const Bounding_arc_tree_2& tree,
-                                                                                   const Points& points) {
-  const std::vector<Asked_point> places = asked(points);
-  for (const Asked_point& q : places) check_point(q.point);
+[[nodiscard]] std::vector<Closest_point<internal::Element_of<Points>>> closest_points_of_all(
+    const Bounding_arc_tree_2& tree, const Points& points) {
+  const std::vector<Asked_point> places = internal::asked(points);
+  for (const Asked_point& q : places) internal::check_point(q.point);
   if (tree.empty()) return {};
   std::vector<Closest_point<>> results(places.size());
-  for_each_range<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+  internal::for_each_range<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       results[i] = i == begin ? *internal::closest_point(tree, places[i])
                               : *internal::closest_point(tree, places[i], results[i - 1].place);
   });
-  return answered<Closest_point<Element_of<Points>>>(results);
+  return internal::answered<Closest_point<internal::Element_of<Points>>>(results);
+}
+
+/// Returns all local nearest points that are about as near as the nearest one, nearest ones first. A point of a
+/// curve is a local nearest one if no neighbour along the curve is nearer to q. It is returned if its distance is at
+/// most eps above the least one.
+/// \param eps a length, positive
+/// \return nothing of an empty tree; one point for an arc of points that are equally near
+/// \guarantee each bracket is certified. No such point is missing, except one that doubles cannot tell from a point
+///   that is returned
+/// \complexity the logarithm of the number of segments and the number of segments within the distance
+/// \throws std::invalid_argument for a point that is no number and unless eps is a positive number
+template <class Point = Default_kernel::Point_2>
+[[nodiscard]] std::vector<Closest_point<Point>> closest_points(const Bounding_arc_tree_2& tree, const Point& q,
+                                                               double eps) {
+  return internal::answered<Closest_point<Point>>(internal::closest_points(tree, q, eps));
+}
+
+/// Returns the nearest point of each of the k curves that are nearest to q, nearest ones first.
+/// \return as many as there are curves where that is less than k
+/// \guarantee as closest_point
+/// \complexity about the logarithm of the number of segments for each of k curves, and k^2
+/// \throws std::invalid_argument for a point that is no number
+template <class Point = Default_kernel::Point_2>
+[[nodiscard]] std::vector<Closest_point<Point>> k_nearest_curves(const Bounding_arc_tree_2& tree, const Point& q,
+                                                                 std::size_t k) {
+  return internal::answered<Closest_point<Point>>(internal::k_nearest_curves(tree, q, k));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -23,18 +23,6 @@ namespace CGAL::Bounding_arcs {
 /// in its ends or ends in a corner or an end of one.
 enum class Hull_piece_kind : std::uint8_t { CURVE, BITANGENT };
 
-/// A piece of the boundary of a hull.
-template <class Point = Xy<double>> struct Hull_piece {
-  Hull_piece_kind kind = Hull_piece_kind::CURVE;
-  Curve_place from, to;
-  Point from_point, to_point;
-
-  /// Writes the members in their order, with a blank between.
-  friend std::ostream& operator<<(std::ostream& out, const Hull_piece& answer) {
-    return out << answer.from_point << ' ' << answer.to_point << ' ' << answer.from << ' ' << answer.to;
-  }
-};
-
 /// The convex hull of a drawing: pieces counterclockwise, each of which starts where the one before ends. The hull of a
 /// straight drawing has both sides, and that of a point has one piece from the point to itself.
 /// \code
@@ -42,14 +30,27 @@ template <class Point = Xy<double>> struct Hull_piece {
 /// for (const auto& piece : hull.pieces) std::cout << piece.from_point << " to " << piece.to_point << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Convex_hull {
-  std::vector<Hull_piece<Point>> pieces;
+  /// A piece of the boundary of a hull.
+  struct Piece {
+    Hull_piece_kind kind = Hull_piece_kind::CURVE;
+    Curve_place from, to;
+    Point from_point, to_point;
+
+    /// Writes the members in their order, with a blank between.
+    friend std::ostream& operator<<(std::ostream& out, const Piece& answer) {
+      return out << answer.from_point << ' ' << answer.to_point << ' ' << answer.from << ' ' << answer.to;
+    }
+  };
+
+  std::vector<Piece> pieces;
   double height = 0;                             ///< the exact hull is within this of the chain
   Query_status status = Query_status::COMPLETE;  ///< whether the height is at most eps
 
   template <class Other> operator Convex_hull<Other>() const {  // NOLINT: the same with another kernel's points
     Convex_hull<Other> result{{}, height, status};
     for (const auto& p : pieces)
-      result.pieces.push_back({p.kind, p.from, p.to, answered<Other>(p.from_point), answered<Other>(p.to_point)});
+      result.pieces.push_back(
+          {p.kind, p.from, p.to, internal::answered<Other>(p.from_point), internal::answered<Other>(p.to_point)});
     return result;
   }
 
@@ -69,7 +70,7 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
   Vector along;  ///< unit vector along such lines; they are apart by no more than the upper bound
 
   template <class Other> operator Width_of_drawing<Other>() const {  // NOLINT: the same with another kernel's vector
-    return {width, answered<Other>(along)};
+    return {width, internal::answered<Other>(along)};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -88,7 +89,7 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
   Point first_point, second_point;
 
   template <class Other> operator Diameter_of_drawing<Other>() const {  // NOLINT: the same with another kernel's points
-    return {diameter, first, second, answered<Other>(first_point), answered<Other>(second_point)};
+    return {diameter, first, second, internal::answered<Other>(first_point), internal::answered<Other>(second_point)};
   }
 
   /// Writes the members in their order, with a blank between.

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The least distance of two drawings, between two bounds.
+// How far two drawings are from each other, where they are nearest and where they are farthest, between two bounds.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
@@ -38,6 +38,30 @@ template <class Kernel = Default_kernel>
                                                                                  const Bounding_arc_tree_2& b,
                                                                                  double eps) {
   return internal::distance(a, b, eps);
+}
+
+/// Returns the largest distance of a point of tree a from the curves of tree b. With it comes such a point, one of them
+/// where there are several, and the point of b that is nearest to it.
+/// \param eps how wide the bracket may be, a length, positive
+/// \tparam Kernel of the points that are answered
+/// \return nothing if one of the trees is empty
+/// \guarantee the bracket is certified; it is as wide as eps at most, or some roundings of the coordinates, or its
+///   status says that a limit was reached
+/// \complexity one search for a closest point for each piece that may be farthest. These are about the logarithm of
+///   size over eps where one point is farthest, its cube root where curves are parallel or the same
+/// \throws std::invalid_argument unless eps is a positive number
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Drawing_distance<typename Kernel::Point_2>> directed_hausdorff_distance(
+    const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b, double eps) {
+  return internal::directed_hausdorff_distance(a, b, eps);
+}
+/// Returns the larger of both directed distances, with the points that realise it.
+/// \guarantee, \complexity, \throws as directed_hausdorff_distance
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Drawing_distance<typename Kernel::Point_2>> hausdorff_distance(const Bounding_arc_tree_2& a,
+                                                                                           const Bounding_arc_tree_2& b,
+                                                                                           double eps) {
+  return internal::hausdorff_distance(a, b, eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

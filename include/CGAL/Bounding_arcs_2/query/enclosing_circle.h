@@ -25,7 +25,7 @@ template <class Point = Xy<double>> struct Enclosing_circle {
   Measure_bounds radius;  ///< of the smallest circle; about this center all curves are within the upper bound
 
   template <class Other> operator Enclosing_circle<Other>() const {  // NOLINT: the same with another kernel's point
-    return {answered<Other>(center), radius};
+    return {internal::answered<Other>(center), radius};
   }
 
   /// Writes the members in their order, with a blank between.

@@ -31,8 +31,10 @@ namespace CGAL::Bounding_arcs {
 /// The kernel of points that are asked about or answered where no other is named.
 using Default_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+namespace internal {
 /// The kernel of a point or a vector.
 template <class Point> using Kernel_of = typename CGAL::Kernel_traits<Point>::Kernel;
+}  // namespace internal
 
 /// A point that is asked about: of any kernel, rounded to doubles where it has other numbers.
 /// \code
@@ -78,6 +80,7 @@ inline Asked_point::Asked_point(const Xy<Exact_rational>& p) : point{CGAL::to_do
   error = std::nextafter(error, std::numeric_limits<double>::infinity());
 }
 
+namespace internal {
 /// Returns points of a range as ones that are asked about.
 template <class Points> [[nodiscard]] std::vector<Asked_point> asked(const Points& points) {
   return std::vector<Asked_point>(std::begin(points), std::end(points));
@@ -98,6 +101,7 @@ template <class Point, class Given> [[nodiscard]] Point answered(const Given& p)
 template <class Answer, class Other> [[nodiscard]] std::vector<Answer> answered(const std::vector<Other>& answers) {
   return std::vector<Answer>(answers.begin(), answers.end());
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -28,7 +28,7 @@ template <class Point = Xy<double>> struct Ray_hit {
   bool is_along = false;  ///< a Bezier piece lies along the ray: one of the places that bound its parts on it
 
   template <class Other> operator Ray_hit<Other>() const {  // NOLINT: the same with another kernel's point
-    return {place, answered<Other>(point), distance, is_along};
+    return {place, internal::answered<Other>(point), distance, is_along};
   }
 
   /// Writes the members in their order, with a blank between.
@@ -50,7 +50,7 @@ template <class Point = Xy<double>> struct Ray_hit {
 template <class Point = Default_kernel::Point_2>
 [[nodiscard]] std::vector<Ray_hit<Point>> ray_hits(const Bounding_arc_tree_2& tree, const Point& q,
                                                    const Asked_point& direction) {
-  return answered<Ray_hit<Point>>(internal::ray_hits(tree, q, direction));
+  return internal::answered<Ray_hit<Point>>(internal::ray_hits(tree, q, direction));
 }
 
 }  // namespace CGAL::Bounding_arcs

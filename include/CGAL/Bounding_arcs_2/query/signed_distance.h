@@ -43,13 +43,13 @@ template <class Point = Default_kernel::Point_2>
 /// \guarantee as signed_distance
 /// \throws std::invalid_argument as signed_distance
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
-[[nodiscard]] std::vector<Signed_distance<Element_of<Points>>> signed_distances_of_all(
+[[nodiscard]] std::vector<Signed_distance<internal::Element_of<Points>>> signed_distances_of_all(
     const Bounding_arc_tree_2& tree, const Points& points, Fill_rule rule = Fill_rule::NONZERO) {
   const Point_location_2 location(tree);
-  const std::vector<Asked_point> places = asked(points);
+  const std::vector<Asked_point> places = internal::asked(points);
   const auto closest = closest_points_of_all<ConcurrencyTag>(tree, points);
   std::vector<Uncertain<Bounded_side>> sides(closest.size());
-  for_each_range<ConcurrencyTag>(closest.size(), [&](std::size_t begin, std::size_t end) {
+  internal::for_each_range<ConcurrencyTag>(closest.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       constexpr double UP = ROUNDED_UP<8>;  // a difference and a norm
       const auto is_near = [&](const Asked_point& p, const Asked_point& q) {
@@ -60,9 +60,9 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
       sides[i] = is_same_side ? sides[i - 1] : location.locate(places[i], rule);
     }
   });
-  std::vector<Signed_distance<Element_of<Points>>> results;
+  std::vector<Signed_distance<internal::Element_of<Points>>> results;
   for (std::size_t i = 0; i < closest.size(); ++i)
-    results.push_back(Signed_distance<Element_of<Points>>::of(closest[i], sides[i]));
+    results.push_back(Signed_distance<internal::Element_of<Points>>::of(closest[i], sides[i]));
   return results;
 }
 

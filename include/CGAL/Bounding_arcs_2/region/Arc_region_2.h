@@ -22,13 +22,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// One side of a region between the region's ends: one arc with `bulges[0]`, or two that meet in `joint`.
-struct Arc_side_2 {
-  std::size_t size = 1;   ///< 1 or 2 arcs
-  double bulges[2] = {};  ///< in [-1, 1]
-  Xy<double> joint = {};  ///< of two arcs
-};
-
 /// A region's two sides in doubles, from the piece's start to its end; inner is the side of the centers of curvature.
 /// \code
 /// Region_reader reader(regions);  // a tree with an eps, over doubles
@@ -37,8 +30,15 @@ struct Arc_side_2 {
 /// });
 /// \endcode
 struct Arc_region_2 {
+  /// One side of a region between the region's ends: one arc with `bulges[0]`, or two that meet in `joint`.
+  struct Side {
+    std::size_t size = 1;   ///< 1 or 2 arcs
+    double bulges[2] = {};  ///< in [-1, 1]
+    Xy<double> joint = {};  ///< of two arcs
+  };
+
   Xy<double> from, to;
-  Arc_side_2 inner, outer;
+  Side inner, outer;
   Region_form form = Region_form::BCA;  ///< the outer side of a spiral fat arc has a corner, other sides are smooth
   double widening = std::numeric_limits<double>::infinity();  ///< the exact curve is within it of the region; infinite:
                                                               ///< not known
@@ -58,7 +58,7 @@ template <class NT>
 
 /// The boundary that a region's points and bulges define.
 [[nodiscard]] inline Region_boundary_2<double> boundary_of(const Arc_region_2& region) {
-  const auto chain = [&](const Arc_side_2& side) {
+  const auto chain = [&](const Arc_region_2::Side& side) {
     if (side.size == 1) return Boundary_chain_2<double>(piece_on_chord(region.from, region.to, side.bulges[0]));
     return Boundary_chain_2<double>(piece_on_chord(region.from, side.joint, side.bulges[0]),
                                     piece_on_chord(side.joint, region.to, side.bulges[1]));
@@ -74,7 +74,7 @@ template <class NT, class Round>
 [[nodiscard]] Arc_region_2 arc_region(const Region_boundary_2<NT>& local, double unit, const Xy<double>& from,
                                       const Xy<double>& to, const Round& rounded) {
   const auto side = [&](const Boundary_chain_2<NT>& chain, bool is_smooth) {
-    Arc_side_2 s;
+    Arc_region_2::Side s;
     s.size = chain.size();
     for (std::size_t i = 0; i < s.size; ++i) s.bulges[i] = rounded(bulge(chain, i, is_smooth));
     if (s.size == 2) s.joint = from + unit * Xy<double>{rounded(chain[0].to.x), rounded(chain[0].to.y)};
@@ -88,7 +88,7 @@ template <class NT, class Round>
 
 /// Whether bulges and joints are numbers.
 [[nodiscard]] inline bool is_finite(const Arc_region_2& region) {
-  const auto is_finite_side = [](const Arc_side_2& s) {
+  const auto is_finite_side = [](const Arc_region_2::Side& s) {
     return std::isfinite(s.bulges[0]) && (s.size == 1 || std::isfinite(s.bulges[1] + s.joint.x + s.joint.y));
   };
   return is_finite_side(region.inner) && is_finite_side(region.outer);

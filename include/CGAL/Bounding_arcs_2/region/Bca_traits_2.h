@@ -34,8 +34,10 @@ class Bca_traits_2 : public Bounding_region_traits_2<CircularKernel, Constructio
   using Bounding_region_traits_2<CircularKernel, Construction>::Bounding_region_traits_2;
 };
 
+namespace internal {
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Bca&, const Chord_shape_2<Exact_rational>&, double);
+}  // namespace internal
 
 /// The traits of a tree that names none: bounding circular arcs over doubles, with exact predicates.
 /// \code

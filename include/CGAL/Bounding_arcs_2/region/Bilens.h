@@ -44,15 +44,15 @@ struct Bilens {
     const Chord_shape_2<NT>& f = frame.shape;
     const Tight_frame_2<NT> t = tight_frame(f);
     if (!t.usable) return Bca::boundary(frame);
-    const Tight_axes<NT> axes = tight_axes(frame);
+    const internal::Tight_axes<NT> axes = internal::tight_axes(frame);
     const NT outer_k = contact_tight(t), inner_k = contact_flat(t), ratio_b = t.sin_delta / t.b;
     const auto circle = [&](const Xy<NT>& p, const Xy<NT>& n, const NT& k) {
-      return contact(p, n, k, f.turn, t.chord);
+      return internal::contact(p, n, k, f.turn, t.chord);
     };
     const bool from_tight = f.tight_first;  // p0 is the tight end
     const NT outer_x = from_tight ? NT(ratio_b * t.cos_delta + t.cos_tight) : NT(t.cos_delta / ratio_b + t.cos_flat);
     const auto outer =
-        chain(frame, axes, biarc_joint(axes, t.chord, from_tight, outer_x, from_tight ? outer_k : t.k_flat),
+        chain(frame, axes, internal::biarc_joint(axes, t.chord, from_tight, outer_x, from_tight ? outer_k : t.k_flat),
               circle(axes.tight, axes.normal_tight, outer_k), circle(axes.flat, axes.normal_flat, t.k_flat));
     const Contact_circle_2<NT> inner_flat = circle(axes.flat, axes.normal_flat, inner_k);
     if (t.infinite)  // the osculating circle is the end point itself
@@ -60,7 +60,7 @@ struct Bilens {
     const NT ratio_a = t.sin_delta / t.a;
     const NT inner_x = from_tight ? NT(t.cos_delta / ratio_a + t.cos_tight) : NT(ratio_a * t.cos_delta + t.cos_flat);
     const auto inner =
-        chain(frame, axes, biarc_joint(axes, t.chord, from_tight, inner_x, from_tight ? t.k_tight : inner_k),
+        chain(frame, axes, internal::biarc_joint(axes, t.chord, from_tight, inner_x, from_tight ? t.k_tight : inner_k),
               circle(axes.tight, axes.normal_tight, t.k_tight), inner_flat);
     return {inner, outer, Region_form::BILENS};
   }

@@ -32,8 +32,10 @@ class Bilens_traits_2 : public Bounding_region_traits_2<CircularKernel, Construc
   using Bounding_region_traits_2<CircularKernel, Construction>::Bounding_region_traits_2;
 };
 
+namespace internal {
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Bilens&, const Chord_shape_2<Exact_rational>&, double);
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -25,6 +25,7 @@ namespace CGAL::Bounding_arcs {
 
 // Axis-aligned boxes of regions, without centers: end points, and the height of an arc where it turns past an axis.
 
+namespace internal {
 /// \guarantee holds the exact arc or segment
 template <class NT> [[nodiscard]] CGAL::Bbox_2 bbox_of_piece(const Boundary_piece_2<NT>& piece) {
   using Interval = CGAL::Interval_nt<true>;
@@ -53,6 +54,7 @@ template <class Boundary> [[nodiscard]] CGAL::Bbox_2 bbox_of_region(const Bounda
   for (const auto& piece : region.outer) box += bbox_of_piece(piece);
   return box;
 }
+}  // namespace internal
 
 /// Whether a construction's thickness is a function of the frame instead of the shape.
 template <class Construction, class NT, class = void> inline constexpr bool thickness_needs_place_v = false;
@@ -62,6 +64,7 @@ inline constexpr bool thickness_needs_place_v<
     std::void_t<decltype(std::declval<const Construction&>().thickness(std::declval<const Chord_frame_2<NT>&>()))>> =
     true;
 
+namespace internal {
 /// The thickness of the region over a frame: of its shape alone, but for constructions whose formulas depend on the
 /// place.
 template <class Construction, class NT>
@@ -69,6 +72,7 @@ template <class Construction, class NT>
   if constexpr (thickness_needs_place_v<Construction, NT>) return construction.thickness(frame);
   else return construction.thickness(frame.shape);
 }
+}  // namespace internal
 
 /// Traits of one construction over one circular kernel: what Bca_traits_2, Bilens_traits_2 and Spiral_fat_arc_traits_2
 /// are.
@@ -106,8 +110,8 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
   struct Compute_thickness_2 {
     Construction construction;
     [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
-      if constexpr (HAS_SQUARE_ROOT) return thickness_in_place(construction, region.frame);
-      else return thickness_in_place(construction, convert_frame<Root_number>(region.frame)).expression();
+      if constexpr (HAS_SQUARE_ROOT) return internal::thickness_in_place(construction, region.frame);
+      else return internal::thickness_in_place(construction, convert_frame<Root_number>(region.frame)).expression();
     }
   };
 
@@ -117,12 +121,13 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     Construction construction;
     [[nodiscard]] CGAL::Comparison_result operator()(const Bounding_region_2& region, double eps) const {
       if constexpr (!std::is_floating_point_v<FT>) {
-        const auto range = thickness_interval(construction, region.frame.shape);
+        const auto range = internal::thickness_interval(construction, region.frame.shape);
         if (range.sup() < eps) return CGAL::SMALLER;
         if (range.inf() > eps) return CGAL::LARGER;
       }
       using Root = std::conditional_t<HAS_SQUARE_ROOT, FT, Root_number>;
-      const Root thickness = thickness_in_place(construction, convert_frame<Root>(region.frame)), bound = Root(eps);
+      const Root thickness = internal::thickness_in_place(construction, convert_frame<Root>(region.frame)),
+                 bound = Root(eps);
       return thickness < bound ? CGAL::SMALLER : (bound < thickness ? CGAL::LARGER : CGAL::EQUAL);
     }
   };
@@ -154,7 +159,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     [[nodiscard]] Boundary operator()(const Bounding_region_2& region) const {
       if constexpr (HAS_SQUARE_ROOT || !Construction::BOUNDARY_NEEDS_SQUARE_ROOT) {
         const auto b = construction.boundary(region.frame);
-        return {kernel_chain<Kernel>(b.inner), kernel_chain<Kernel>(b.outer)};
+        return {internal::kernel_chain<Kernel>(b.inner), internal::kernel_chain<Kernel>(b.outer)};
       } else {
         return construction.template algebraic_boundary<Kernel>(region.frame);
       }
@@ -174,7 +179,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
   struct Construct_bbox_2 {
     Construction construction;
     [[nodiscard]] CGAL::Bbox_2 operator()(const Bounding_region_2& region) const {
-      return bbox_of_region(Construct_region_boundary_2{construction}(region));
+      return internal::bbox_of_region(Construct_region_boundary_2{construction}(region));
     }
   };
 

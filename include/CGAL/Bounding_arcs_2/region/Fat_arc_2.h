@@ -33,28 +33,30 @@ struct Fat_arc_2 {
 /// Half of the region's width: distances from it and from its piece differ by no more.
 [[nodiscard]] inline double half_width(const Fat_arc_2& fat) { return fat.radius; }
 
+namespace internal {
 /// What distances from a point at most so far from both ends of an arc err by, with what is added to them.
 [[nodiscard]] inline double distance_room(double distance, double chord, double widening) {
   constexpr double OF_SUMS = 20 * HALF_ULP;  // of r, the mean bulge and three sums with the widening
   return widening + (ARC_DISTANCE_ERROR + OF_SUMS) * (distance + chord + widening);
 }
+}  // namespace internal
 
 /// Bounds of the distance from a point to the exact piece.
 [[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Fat_arc_2& fat) {
   const double d = std::fabs(signed_distance(q, fat.arc));
-  const double room = distance_room(d, euclidean_norm(fat.arc.to - fat.arc.from), fat.radius);
+  const double room = internal::distance_room(d, euclidean_norm(fat.arc.to - fat.arc.from), fat.radius);
   return {(std::max)(0.0, d - room), d + room};
 }
 
 /// A lower bound of the distance of the exact pieces in two fat arcs.
 /// \guarantee certified; where the nearest points are not ends of both, short by the radii and some roundings only
 [[nodiscard]] inline double least_distance(const Fat_arc_2& a, const Fat_arc_2& b) {
-  const Arc_form of_a(a.arc), of_b(b.arc);
+  const internal::Arc_form of_a(a.arc), of_b(b.arc);
   if (of_a.length == 0) return (std::max)(0.0, distance_bounds(a.arc.from, b).lower - a.radius);
   if (of_b.length == 0) return (std::max)(0.0, distance_bounds(b.arc.from, a).lower - b.radius);
   const double farthest = euclidean_norm(a.arc.from - b.arc.from) + of_a.length + of_b.length;
-  const double d = (std::max)(least_distance_to_circle(a.arc, of_a, b.arc, of_b, farthest),
-                              least_distance_to_circle(b.arc, of_b, a.arc, of_a, farthest));
+  const double d = (std::max)(internal::least_distance_to_circle(a.arc, of_a, b.arc, of_b, farthest),
+                              internal::least_distance_to_circle(b.arc, of_b, a.arc, of_a, farthest));
   return (std::max)(0.0, (d - (a.radius + b.radius)) * ROUNDED_DOWN<4>);
 }
 
@@ -78,7 +80,7 @@ struct Fat_arc_2 {
     const double slack = length * (room * ROUNDED_UP<8> + 16 * HALF_ULP * size);
     return low - (std::max)(own, 0.0) > slack || (std::min)(own, 0.0) - high > slack;
   };
-  return are_boxes_apart(a.arc, b.arc, room) || separated(chord_a, apex_a, chord_b, apex_b, between) ||
+  return internal::are_boxes_apart(a.arc, b.arc, room) || separated(chord_a, apex_a, chord_b, apex_b, between) ||
          separated(chord_b, apex_b, chord_a, apex_a, -between);
 }
 

@@ -24,6 +24,7 @@ namespace CGAL::Bounding_arcs {
 
 // Boundary pieces of floating numbers as circles, and what that costs.
 
+namespace internal {
 /// A boundary piece of floating numbers as center and squared radius in the same numbers, or as the segment between its
 /// ends, and how far that is from the piece. A circle of radius r misses its ends by about u r, a segment its arc by
 /// c^2 / (8 r): where the arc is so flat that the latter is less, the segment is what holds the curve.
@@ -33,6 +34,7 @@ template <class FT> struct Rounded_arc_2 {
   double deviation = 0;  ///< at least the Hausdorff distance from the piece; infinity where its numbers are not finite
   bool is_segment = true;
 };
+}  // namespace internal
 
 /// A piece in double-doubles, seen from its start, with 2^exponent as unit of length.
 ///   the arc over the chord   from, apex, to   through both ends, with the bulge that the support has in the mean
@@ -129,6 +131,7 @@ template <class FT> [[nodiscard]] FT reach(const Xy<FT>& p, const Xy<FT>& q) {
   return (std::max)(std::fabs(q.x - p.x), std::fabs(q.y - p.y));
 }
 
+namespace internal {
 /// The length by which a piece's support and the arc or segment through the piece's ends differ, and how far the
 /// segment is from the arc.
 struct Support_deviation {
@@ -200,6 +203,7 @@ template <class FT> [[nodiscard]] Rounded_arc_2<FT> rounded_arc(const Boundary_p
   arc.deviation = stated(arc.deviation + off.of_support);
   return arc;
 }
+}  // namespace internal
 
 /// A tangent segment whose end points are algebraic and whose supporting line is not rational, so that a rational
 /// kernel has no Line_arc_2 for it.
@@ -226,6 +230,7 @@ template <class CircularKernel> struct Kernel_piece_2 {
 /// A region's boundary in pieces of the kernel, from the start of the curve piece to its end.
 template <class CircularKernel> struct Kernel_boundary_2 { std::vector<Kernel_piece_2<CircularKernel>> inner, outer; };
 
+namespace internal {
 /// A point as the kernel has it.
 template <class CK, class FT> [[nodiscard]] typename CK::Point_2 kernel_point(const Xy<FT>& p) {
   return typename CK::Point_2(p.x, p.y);
@@ -247,34 +252,37 @@ template <class CK>
   return ccw ? Kernel_piece_2<CK>{Arc(circle, source, target), false}
              : Kernel_piece_2<CK>{Arc(circle, target, source), true};
 }
+}  // namespace internal
 
 /// A piece of a boundary as the kernel has it, with its deviation.
 template <class CK, class FT> [[nodiscard]] Kernel_piece_2<CK> kernel_piece(const Boundary_piece_2<FT>& p) {
   using Arc_point = typename CK::Circular_arc_point_2;
-  const auto from = kernel_point<CK>(p.from), to = kernel_point<CK>(p.to);
+  const auto from = internal::kernel_point<CK>(p.from), to = internal::kernel_point<CK>(p.to);
   const auto segment = [&](double deviation) {
     return Kernel_piece_2<CK>{typename CK::Line_arc_2(from, to), false, deviation};
   };
   if constexpr (std::is_floating_point_v<FT>) {
-    const Rounded_arc_2<FT> r = rounded_arc(p);
+    const internal::Rounded_arc_2<FT> r = internal::rounded_arc(p);
     if (r.is_segment) return segment(r.deviation);
-    auto piece = kernel_arc<CK>(typename CK::Circle_2(kernel_point<CK>(r.center), r.squared_radius), Arc_point(from),
-                                Arc_point(to), p.is_ccw());
+    auto piece = internal::kernel_arc<CK>(typename CK::Circle_2(internal::kernel_point<CK>(r.center), r.squared_radius),
+                                          Arc_point(from), Arc_point(to), p.is_ccw());
     piece.deviation = r.deviation;
     return piece;
   } else if (p.is_segment()) {
     return segment(0);
   } else {
-    return kernel_arc<CK>(kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw());
+    return internal::kernel_arc<CK>(internal::kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw());
   }
 }
 
+namespace internal {
 /// A chain, a range of Boundary_piece_2, in pieces of the kernel.
 template <class CK, class Chain> [[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Chain& chain) {
   std::vector<Kernel_piece_2<CK>> pieces;
   for (const auto& p : chain) pieces.push_back(kernel_piece<CK>(p));
   return pieces;
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

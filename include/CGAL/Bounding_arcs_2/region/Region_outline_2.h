@@ -25,6 +25,7 @@ namespace CGAL::Bounding_arcs {
 
 // Where a point lies against a region, by signs only: caps of arcs over their own chords, and the triangle between two.
 
+namespace internal {
 /// The sign of where q lies against one piece and its chord: +1 strictly between them, 0 on the piece, -1 elsewhere.
 template <class NT> [[nodiscard]] int side_of_cap(const Boundary_piece_2<NT>& piece, const Xy<NT>& q) {
   const Xy<NT> chord = piece.to - piece.from, v = q - piece.from;
@@ -56,12 +57,13 @@ template <class NT> [[nodiscard]] int side_of_chain(const Boundary_chain_2<NT>& 
             c = orientation * sign_of(cross(p - r, q - r));
   return orientation != 0 && a >= 0 && b >= 0 && c >= 0 ? 1 : -1;
 }
+}  // namespace internal
 
 /// Inside, on the boundary of, or outside the closed region between inner and outer boundary.
 /// \guarantee exact where the boundary's coordinates are; over double as good as they are
 template <class NT>
 [[nodiscard]] CGAL::Bounded_side bounded_side(const Region_boundary_2<NT>& region, const Xy<NT>& q) {
-  const int outer = side_of_chain(region.outer, q), inner = side_of_chain(region.inner, q);
+  const int outer = internal::side_of_chain(region.outer, q), inner = internal::side_of_chain(region.inner, q);
   const Boundary_piece_2<NT>&first = region.outer[0], &second = region.inner[0];
   const bool opposite = !first.is_segment() && !second.is_segment() && first.is_ccw() != second.is_ccw();
   if (opposite) {  // a sliver past an inflection: the two arcs lie on different sides of the chord
@@ -127,6 +129,7 @@ template <class NT> [[nodiscard]] Region_outline_2<NT> outline_of(const Region_b
           turn >= 0};
 }
 
+namespace internal {
 /// The edges of a polygon that have the region to their left, as (from, to): without those that both sides share, which
 /// lie inside.
 template <class NT>
@@ -144,6 +147,7 @@ template <class NT>
   for (std::size_t i = first; i + last < left.size(); ++i) edges.emplace_back(left[i].to, left[i].from);
   return edges;
 }
+}  // namespace internal
 
 /// The direction in which a piece leaves `from` or comes to `to`, of any length: a point of the piece.
 template <class NT> [[nodiscard]] Xy<NT> direction_at(const Boundary_piece_2<NT>& piece, const Xy<NT>& point) {
@@ -171,7 +175,7 @@ template <class NT>
     return sign < 0;
   };
   if (outline.form == Outline_form::POLYGON) {
-    for (const auto& [from, to] : edges_around(outline))
+    for (const auto& [from, to] : internal::edges_around(outline))
       if (is_beyond(cross(to - from, q - from))) return CGAL::ON_UNBOUNDED_SIDE;
   } else {
     const auto& outer = outline.outer;

@@ -50,10 +50,10 @@ struct Spiral_fat_arc {
     const Chord_shape_2<NT>& f = frame.shape;
     const Tight_frame_2<NT> t = tight_frame(f);
     if (!t.usable) return Bca::boundary(frame);
-    const Tight_axes<NT> axes = tight_axes(frame);
+    const internal::Tight_axes<NT> axes = internal::tight_axes(frame);
     const Xy<NT> corner = axes.tight + NT(t.chord * corner_ratio(t)) * axes.along;
     const auto outer = chain<NT>(frame, axes, corner, {axes.tight, axes.normal_tight, NT(0)},
-                                 contact(axes.flat, axes.normal_flat, t.k_flat, f.turn, t.chord));
+                                 internal::contact(axes.flat, axes.normal_flat, t.k_flat, f.turn, t.chord));
     if (t.infinite)  // the osculating circle is the end point itself
       return {Boundary_chain_2<NT>({frame.p0, frame.p1, {frame.p0, perp(f.chord), NT(0)}}), outer,
               Region_form::SPIRAL_FAT_ARC};
@@ -62,8 +62,9 @@ struct Spiral_fat_arc {
     const Xy<NT> joint =
         f.tight_first ? touching_point(t, axes, stretch) : axes.flat + NT(t.chord * stretch) * direction;
     const Xy<NT> segment = NT(f.tight_first ? -1 : 1) * direction;
-    const auto inner = chain<NT>(frame, axes, joint, contact(axes.tight, axes.normal_tight, t.k_tight, f.turn, t.chord),
-                                 {axes.flat, perp(segment), NT(0)});
+    const auto inner =
+        chain<NT>(frame, axes, joint, internal::contact(axes.tight, axes.normal_tight, t.k_tight, f.turn, t.chord),
+                  {axes.flat, perp(segment), NT(0)});
     return {inner, outer, Region_form::SPIRAL_FAT_ARC};
   }
 
@@ -90,14 +91,14 @@ struct Spiral_fat_arc {
   }
   // The unit vector from the flat end along the inner segment.
   template <class NT>
-  [[nodiscard]] static Xy<NT> segment_direction(const Tight_frame_2<NT>& t, const Tight_axes<NT>& axes,
+  [[nodiscard]] static Xy<NT> segment_direction(const Tight_frame_2<NT>& t, const internal::Tight_axes<NT>& axes,
                                                 const NT& stretch) {
     const NT tilt = segment_tilt(t, stretch), square = NT(1) + tilt * tilt;
     return NT((NT(1) - tilt * tilt) / square) * axes.back + NT(NT(2) * tilt / square) * axes.inward_flat;
   }
   // j from the tight end, by half the angle that the inner arc turns through.
   template <class NT>
-  [[nodiscard]] static Xy<NT> touching_point(const Tight_frame_2<NT>& t, const Tight_axes<NT>& axes,
+  [[nodiscard]] static Xy<NT> touching_point(const Tight_frame_2<NT>& t, const internal::Tight_axes<NT>& axes,
                                              const NT& stretch) {
     const NT half_turn = t.sin_tight / (t.cos_tight + stretch);
     const NT scale = t.chord * half_turn / (t.k_tight * (NT(1) + half_turn * half_turn));

@@ -117,6 +117,7 @@ template <class CK, class FT>
 }  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
+
 /// The construction with its boundary over rational kernels, which needs the circular kernel's intersections.
 template <class Construction> struct With_algebraic_boundary : Construction {
   With_algebraic_boundary(const Construction& c = {}) : Construction(c) {}  // NOLINT: the same construction
@@ -127,7 +128,7 @@ template <class Construction> struct With_algebraic_boundary : Construction {
     if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC)
       return internal::algebraic_spiral_fat_arc<CK>(frame);
     const Region_boundary_2<FT> b = Bca::boundary(frame);
-    return {kernel_chain<CK>(b.inner), kernel_chain<CK>(b.outer)};
+    return {internal::kernel_chain<CK>(b.inner), internal::kernel_chain<CK>(b.outer)};
   }
 };
 
@@ -147,11 +148,13 @@ class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, 
   using Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
 };
 
+namespace internal {
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Spiral_fat_arc&, const Chord_shape_2<Exact_rational>&, double);
 /// Compiled in the library.
 extern template Thickness_bound bound_exactly(const With_algebraic_boundary<Spiral_fat_arc>&,
                                               const Chord_shape_2<Exact_rational>&, double);
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

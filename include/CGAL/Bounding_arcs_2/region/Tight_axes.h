@@ -14,6 +14,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// Unit vectors of the tight frame in the plane: `along` leads from the tight end into the segment.
 template <class NT> struct Tight_axes {
   Xy<NT> tight, flat;                ///< the end points
@@ -51,22 +52,25 @@ template <class NT>
   if (from_tight) return axes.tight + (NT(scale * x) * axes.along + NT(scale * k) * axes.inward_tight);
   return axes.flat + (NT(scale * x) * axes.back + NT(scale * k) * axes.inward_flat);
 }
+}  // namespace internal
 
 /// The chain tight end -> joint -> flat end, turned round when the tight end comes last.
 template <class NT>
-[[nodiscard]] Boundary_chain_2<NT> chain(const Chord_frame_2<NT>& frame, const Tight_axes<NT>& axes,
+[[nodiscard]] Boundary_chain_2<NT> chain(const Chord_frame_2<NT>& frame, const internal::Tight_axes<NT>& axes,
                                          const Xy<NT>& joint, const Contact_circle_2<NT>& at_tight,
                                          const Contact_circle_2<NT>& at_flat) {
   if (frame.shape.tight_first) return {{axes.tight, joint, at_tight}, {joint, axes.flat, at_flat}};
   return {{axes.flat, joint, at_flat}, {joint, axes.tight, at_tight}};
 }
 
+namespace internal {
 /// The contact circle at the tight or flat end with K = curvature times half the chord, in the curve's direction.
 template <class NT>
 [[nodiscard]] Contact_circle_2<NT> contact(const Xy<NT>& point, const Xy<NT>& normal, const NT& k, int turn,
                                            const NT& chord) {
   return {point, normal, NT(NT(2 * turn) * k / chord)};
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

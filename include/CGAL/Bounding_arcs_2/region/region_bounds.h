@@ -27,7 +27,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// Arc i of a side.
-[[nodiscard]] inline Arc_2 arc_of(const Arc_region_2& region, const Arc_side_2& side, std::size_t i) {
+[[nodiscard]] inline Arc_2 arc_of(const Arc_region_2& region, const Arc_region_2::Side& side, std::size_t i) {
   return {i == 0 ? region.from : side.joint, i + 1 == side.size ? region.to : side.joint, side.bulges[i]};
 }
 
@@ -39,15 +39,17 @@ namespace CGAL::Bounding_arcs {
   return is_right ? -1 : 1;
 }
 
+namespace internal {
 /// Whether both sides are one arc each.
 [[nodiscard]] inline bool is_fat_arc(const Arc_region_2& region) {
   return region.inner.size == 1 && region.outer.size == 1;
 }
+}  // namespace internal
 
 /// The fat arc of a BCA. \pre is_fat_arc(region)
 /// \guarantee the chord errs by 3 u of itself, difference, products and sum by u each: 8 u of the radius
 [[nodiscard]] inline Fat_arc_2 fat_arc(const Arc_region_2& region) {
-  CGAL_precondition(is_fat_arc(region));
+  CGAL_precondition(internal::is_fat_arc(region));
   const double b0 = region.inner.bulges[0], b1 = region.outer.bulges[0];
   const double radius = 0.25 * euclidean_norm(region.to - region.from) * std::fabs(b1 - b0) + region.widening;
   return {{region.from, region.to, 0.5 * (b0 + b1)}, radius * ROUNDED_UP<8>};
@@ -57,7 +59,7 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee at most 8 ulp above L/2 |b0 - b1|: chord 3 u, difference, product and the last one u each, twice for both
 ///   ways
 [[nodiscard]] inline double thickness(const Arc_region_2& region) {
-  CGAL_precondition(is_fat_arc(region));
+  CGAL_precondition(internal::is_fat_arc(region));
   constexpr double UP = ROUNDED_UP<8>;
   const double change = std::fabs(region.outer.bulges[0] - region.inner.bulges[0]);
   return UP * (0.5 * euclidean_norm(region.to - region.from) * change);
@@ -80,7 +82,8 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// Signed distance from a point to a side: that of its nearer arc.
-[[nodiscard]] inline double signed_distance(const Xy<double>& q, const Arc_region_2& region, const Arc_side_2& side) {
+[[nodiscard]] inline double signed_distance(const Xy<double>& q, const Arc_region_2& region,
+                                            const Arc_region_2::Side& side) {
   const double first = signed_distance(q, arc_of(region, side, 0));
   if (side.size == 1) return first;
   const double second = signed_distance(q, arc_of(region, side, 1));
@@ -120,13 +123,13 @@ struct Region_rectangle {
 [[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Arc_region_2& region) {
   const Xy<double> ends = region.to - region.from;
   const double chord = euclidean_norm(ends);
-  if (is_fat_arc(region)) return distance_bounds(q, fat_arc(region));
+  if (internal::is_fat_arc(region)) return distance_bounds(q, fat_arc(region));
   const double turn = turn_of(region);
   const double inner = turn * signed_distance(q, region, region.inner),
                outer = turn * signed_distance(q, region, region.outer);
   const double nearer = (std::min)(std::fabs(inner), std::fabs(outer)),
                farther = (std::max)(std::fabs(inner), std::fabs(outer));
-  const double room = distance_room(farther, chord, region.widening);
+  const double room = internal::distance_room(farther, chord, region.widening);
   // right of the inner side and left of the outer one, which tells nothing of points beyond the ends
   const bool may_be_inside = inner <= room && outer >= -room && is_near(q, rectangle(region), room);
   return {may_be_inside ? 0 : (std::max)(0.0, nearer - room), farther + room};
@@ -153,7 +156,7 @@ struct Region_rectangle {
       const double way = dot(direction, between), length = euclidean_norm(chord);
       if (length > 0) gap = (std::max)({gap, (way + low(s) - high(r)) / length, (low(r) - high(s) - way) / length});
     }
-  if (is_fat_arc(a) && is_fat_arc(b)) of_arcs = least_distance(fat_arc(a), fat_arc(b));
+  if (internal::is_fat_arc(a) && internal::is_fat_arc(b)) of_arcs = least_distance(fat_arc(a), fat_arc(b));
   constexpr double ROUNDINGS = 24 * HALF_ULP;  // of a sum of five products of vectors no longer than size
   double upper = std::numeric_limits<double>::infinity();
   for (const Xy<double>& end : {a.from, a.to}) upper = (std::min)(upper, distance_bounds(end, b).upper + a.widening);
@@ -177,7 +180,7 @@ struct Tangent_cone_2 {
 /// a bulge by as much, which counts twice in an angle: 8 w / L make up for them and for rounding, 16 u.
 /// \return nothing where the widening leaves all directions open
 [[nodiscard]] inline std::optional<Tangent_cone_2> tangent_cone(const Arc_region_2& region) {
-  const Arc_side_2& outer = region.outer;
+  const Arc_region_2::Side& outer = region.outer;
   const Arc_2 start = arc_of(region, outer, 0), end = arc_of(region, outer, outer.size - 1);
   const auto room = [&](const Arc_2& arc) {
     return 8 * region.widening / euclidean_norm(arc.to - arc.from) + 16 * HALF_ULP;

@@ -53,6 +53,7 @@ inline double certified_upper(const Bounded_double& thickness) {
   return std::isnan(upper) ? std::numeric_limits<double>::infinity() : (std::max)(0.0, upper);
 }
 
+namespace internal {
 /// An interval that holds the thickness; all numbers from 0 where a comparison in it is open.
 template <class Construction, class NT>
 [[nodiscard]] CGAL::Interval_nt<true> thickness_interval(const Construction& construction,
@@ -66,6 +67,7 @@ template <class Construction, class NT>
     return all;
   }
 }
+}  // namespace internal
 
 /// The thickness in an enclosure of `bits` bits, nothing where these leave open which formula holds.
 template <class Construction, class Exact>
@@ -79,6 +81,7 @@ template <class Construction, class Exact>
   }
 }
 
+namespace internal {
 /// Decided by an interval of doubles, by enclosures of more and more bits and, where thickness may equal eps, by an
 /// expression with square roots.
 template <class Exact, class Construction>
@@ -124,6 +127,7 @@ inline double triangle_height(const Chord_shape_2<Bounded_double>& f) {
 [[nodiscard]] inline bool is_signed(const Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; }
 /// Whether a double-double's sign is certain.
 [[nodiscard]] inline bool is_signed(const Double_double& x) { return x.sign().value_or(0) != 0; }
+}  // namespace internal
 
 /// Whether a construction takes lines and arcs for something else, so that rounding must not: it then has a member
 /// NEEDS_CERTAIN_TURN, true.
@@ -132,6 +136,7 @@ template <class Construction>
 inline constexpr bool needs_certain_turn_v<Construction, std::void_t<decltype(Construction::NEEDS_CERTAIN_TURN)>> =
     Construction::NEEDS_CERTAIN_TURN;
 
+namespace internal {
 /// Whether turn, tight end and steps back to a simpler region would be the same in exact arithmetic.
 /// \tparam NT Bounded_double or Double_double
 template <class Construction, class NT> [[nodiscard]] bool is_form_certain(const Chord_shape_2<NT>& f) {
@@ -145,6 +150,7 @@ template <class Construction, class NT> [[nodiscard]] bool is_form_certain(const
   return t.usable && is_signed(t.sin_delta) &&
          (t.infinite || is_signed(NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
 }
+}  // namespace internal
 
 /// Whether a segment has shapes in double-doubles.
 template <class Spiral, class = void> inline constexpr bool has_accurate_shape_v = false;
@@ -164,7 +170,7 @@ template <class Construction, class Spiral>
   constexpr double SHARP = 0x1p-51;  // half of 8 ulp at most
   const auto parts = shape_parts<Construction>();
   const auto shape = in_range(spiral.template shape<Double_double>(t0, t1, parts));
-  if (is_form_certain<Construction>(shape)) {
+  if (internal::is_form_certain<Construction>(shape)) {
     const Double_double thickness = construction.thickness(shape);
     if (thickness.hi > 0x1p-900 && thickness.err <= SHARP * thickness.hi) return thickness.upper();
   }
@@ -192,7 +198,8 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
       "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
   const auto parts = shape_parts<Construction>();
   const auto decide_exactly = [&] {
-    if constexpr (HAS_EXACT_SHAPE) return bound_exactly(construction, source.template shape<Exact>(parts), eps);
+    if constexpr (HAS_EXACT_SHAPE)
+      return internal::bound_exactly(construction, source.template shape<Exact>(parts), eps);
     else return Thickness_bound{};
   };
   if constexpr (!std::is_floating_point_v<FT>) {
@@ -200,7 +207,7 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
   } else {
     const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
     if constexpr (HAS_EXACT_SHAPE)
-      if (!is_form_certain<Construction>(shape)) return decide_exactly();
+      if (!internal::is_form_certain<Construction>(shape)) return decide_exactly();
     const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};
@@ -213,7 +220,7 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
     } else {
       // The triangle of the end tangents still bounds it.
       const bool is_unbounded = !(upper < std::numeric_limits<double>::infinity());
-      if (is_lost) upper = (std::min)(upper, triangle_height(shape));
+      if (is_lost) upper = (std::min)(upper, internal::triangle_height(shape));
       return {is_unbounded && upper <= eps, upper, false};
     }
   }

@@ -43,6 +43,7 @@ template <class T, class Value> [[nodiscard]] const T* get_if(const Value& v) {
 template <class T, class Variant> [[nodiscard]] const T* get_if(const Variant& v) { return boost::get<T>(&v); }
 #endif
 
+namespace internal {
 /// A value of a variant as CGAL's algorithms collect it: a variant in CGAL 5, which may be made a CGAL::Object, and the
 /// value itself in CGAL 6, whose variants are of points of its own.
 template <class Variant, class T> [[nodiscard]] auto as_result(const T& value) {
@@ -52,6 +53,7 @@ template <class Variant, class T> [[nodiscard]] auto as_result(const T& value) {
   return Variant(value);
 #endif
 }
+}  // namespace internal
 
 /// What is handed out as a T, which may itself be a variant of it; nothing if it is something else.
 template <class T, class Value> [[nodiscard]] std::optional<T> value_as(const Value& v) {

@@ -203,7 +203,7 @@ template <class NT> double Bezier_spiral_2<NT>::way_beside(double t, int side) c
   using Plain = typename Tabulated_bezier<NT>::Plain;
   const Taylor_table<Plain>& table = curve_->template table<Plain>();
   const double other = std::clamp(t + side * CUT_WIDTH, 0.0, 1.0);
-  const auto piece = relative_piece(table, Plain(t), Plain(other));
+  const auto piece = internal::relative_piece(table, Plain(t), Plain(other));
   Plain way = 0, weight = piece.w[0];
   for (std::size_t k = 1; k < piece.m.size(); ++k) {
     way += stable_norm(piece.m[k]);
@@ -222,7 +222,7 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
     f.tangent_change = {};
     f.cross0 = f.cross1 = f.cross_change = f.curvature0 = f.curvature1 = f.kneser0 = f.kneser1 = T(0);
     f.infinite0 = f.infinite1 = false;
-    orient(f);
+    internal::orient(f);
   }
   return f;
 }
@@ -322,6 +322,7 @@ template <class NT>
   return spirals;
 }
 
+namespace internal {
 /// Returns what a Bezier piece of a curve is, whose numbers are these.
 /// \param curve as Drawing_2 has them
 template <class Curve>
@@ -350,12 +351,13 @@ template <class NT, class Cuts>
   }
   return spirals;
 }
+}  // namespace internal
 
 /// Returns the spiral segments of the curves [first, last) of a drawing, in order; of all where none are named.
 template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
     const Drawing_2<NT>& drawing, std::size_t first = 0, std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
-  return spirals_between(drawing, first, last, [&](std::size_t i, std::size_t j) {
+  return internal::spirals_between(drawing, first, last, [&](std::size_t i, std::size_t j) {
     const Bezier_curve_2<NT>& piece = drawing.curves()[i].beziers[j];
     check_served(piece);
     return spiral_parameters(piece);

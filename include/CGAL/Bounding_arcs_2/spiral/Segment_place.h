@@ -52,14 +52,14 @@ struct Curve_place {
   }
 };
 
-namespace segment_order {
+namespace internal {
 
 /// The range of segments of one curve. \pre segments are in the order of their curves
-template <class Spiral> struct Range {
+template <class Spiral> struct Segments_of_curve {
   std::size_t begin, end;
   bool is_closed;
 
-  Range(const std::vector<Spiral>& spirals, std::size_t i) {
+  Segments_of_curve(const std::vector<Spiral>& spirals, std::size_t i) {
     const auto curve = [](const Spiral& s) { return s.place().curve; };
     const std::uint32_t own = curve(spirals[i]);
     const auto at = [&](auto is_before) {
@@ -72,7 +72,7 @@ template <class Spiral> struct Range {
   }
 };
 
-}  // namespace segment_order
+}  // namespace internal
 
 /// The segment that follows segment i along its curve, which is the first one behind the last of a closed curve.
 /// \param spirals in the order of their curves, as a drawing gives them
@@ -80,14 +80,14 @@ template <class Spiral> struct Range {
 /// \complexity logarithmic in the number of segments
 template <class Spiral>
 [[nodiscard]] std::optional<std::size_t> segment_after(const std::vector<Spiral>& spirals, std::size_t i) {
-  const segment_order::Range<Spiral> curve(spirals, i);
+  const internal::Segments_of_curve<Spiral> curve(spirals, i);
   if (i + 1 < curve.end) return i + 1;
   return curve.is_closed ? std::optional(curve.begin) : std::nullopt;
 }
 /// The segment before it, the other way round.
 template <class Spiral>
 [[nodiscard]] std::optional<std::size_t> segment_before(const std::vector<Spiral>& spirals, std::size_t i) {
-  const segment_order::Range<Spiral> curve(spirals, i);
+  const internal::Segments_of_curve<Spiral> curve(spirals, i);
   if (i > curve.begin) return i - 1;
   return curve.is_closed ? std::optional(curve.end - 1) : std::nullopt;
 }

@@ -28,11 +28,12 @@ namespace CGAL::Bounding_arcs {
 
 /// Where a curve stops being a spiral segment, and what it is when it never starts being one.
 struct Spiral_parameters {
-  Short_list<double> breaks;       ///< in increasing order, more than 2^-51 apart and away from 0 and 1
-  Short_list<Cut_reason> reasons;  ///< one a break; the first that holds in the order of CUSP, X, Y, INFLECTION, VERTEX
-  bool is_point = false;           ///< all control points are equal
-  bool is_straight = false;        ///< curvature is zero throughout, or the curve is a point
-  bool is_circular = false;        ///< curvature is constant and not zero
+  internal::Short_list<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
+  internal::Short_list<Cut_reason>
+      reasons;                  ///< one a break; the first that holds in the order of CUSP, X, Y, INFLECTION, VERTEX
+  bool is_point = false;        ///< all control points are equal
+  bool is_straight = false;     ///< curvature is zero throughout, or the curve is a point
+  bool is_circular = false;     ///< curvature is constant and not zero
   bool has_hidden_tip = false;  ///< x' and y' vanish where no break is kept, but not at an end of equal control points
 };
 

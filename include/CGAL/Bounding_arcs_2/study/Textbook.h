@@ -156,7 +156,7 @@ template <class NT>
 [[nodiscard]] Boundary_chain_2<NT> chain(const Chord_frame_2<NT>& frame, const Textbook_ends<NT>& e,
                                          const Xy<NT>& joint, const Contact_circle_2<NT>& at_tight,
                                          const Contact_circle_2<NT>& at_flat) {
-  Tight_axes<NT> axes;
+  internal::Tight_axes<NT> axes;
   axes.tight = e.tight;
   axes.flat = e.flat;
   return chain(frame, axes, joint, at_tight, at_flat);

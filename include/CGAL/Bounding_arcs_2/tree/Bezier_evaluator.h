@@ -49,31 +49,38 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// A point of a curve with its derivatives by the parameter.
 template <class NT> struct Jet_2 { Xy<NT> point, first, second; };
 /// A point and derivatives in doubles.
 using Curve_jet = Jet_2<double>;
+}  // namespace internal
 
 /// s p + t q.
 template <class NT> [[nodiscard]] Xy<NT> blend(const NT& s, const Xy<NT>& p, const NT& t, const Xy<NT>& q) {
   return {NT(s * p.x + t * q.x), NT(s * p.y + t * q.y)};
 }
+namespace internal {
 /// The jet at t = 1 - s of a curve of degree n by the last three points of de Casteljau's scheme but two steps.
 template <class NT> [[nodiscard]] Jet_2<NT> last_steps(const Xy<NT>* b, const NT& s, const NT& t, double n) {
   const Xy<NT> p = blend(s, b[0], t, b[1]), q = blend(s, b[1], t, b[2]);
   return {blend(s, p, t, q), NT(n) * (q - p), NT(n * (n - 1)) * ((b[2] - b[1]) - (b[1] - b[0]))};
 }
+}  // namespace internal
+
 /// The jet at t of the cubic with control points p[0] to p[3].
-template <class NT> [[nodiscard]] Jet_2<NT> cubic_jet(const Xy<NT>* p, const NT& t) {
+template <class NT> [[nodiscard]] internal::Jet_2<NT> cubic_jet(const Xy<NT>* p, const NT& t) {
   const NT s = NT(1) - t;
   const Xy<NT> b[3] = {blend(s, p[0], t, p[1]), blend(s, p[1], t, p[2]), blend(s, p[2], t, p[3])};
-  return last_steps(b, s, t, 3);
+  return internal::last_steps(b, s, t, 3);
 }
 
+namespace internal {
 /// Bounds of the distance of a jet's derivatives from the true ones.
 struct Jet_errors {
   double first, second;
 };
+}  // namespace internal
 
 /// Evaluates a Bezier piece and two derivatives in doubles, with bounds of their errors that are known ahead.
 class Bezier_evaluator {
@@ -111,8 +118,8 @@ class Bezier_evaluator {
   [[nodiscard]] double second_error() const { return second_error_; }
   /// Returns the bounds at one parameter, which are less by far where weights differ much.
   /// \param jet what the curve is there
-  [[nodiscard]] Jet_errors errors_at(double t, const Curve_jet& jet) const {
-    return has_extreme_weights_ ? weighted_errors(t, jet) : Jet_errors{first_error_, second_error_};
+  [[nodiscard]] internal::Jet_errors errors_at(double t, const internal::Curve_jet& jet) const {
+    return has_extreme_weights_ ? weighted_errors(t, jet) : internal::Jet_errors{first_error_, second_error_};
   }
   /// How far derivatives are from those of a curve whose points are within `rounding`, as its numbers round to these.
   /// Control points that are moved by r move derivatives by twice the degree times r; coordinates and weights of a
@@ -133,8 +140,9 @@ class Bezier_evaluator {
   [[nodiscard]] double second_bound() const { return second_bound_; }
 
   /// The point is that of the control polygon at t = 0 and t = 1. \pre 0 <= t <= 1
-  [[nodiscard]] Curve_jet operator()(double t) const {
-    Curve_jet jet = is_rational_ ? rational_jet(t) : (degree_ == 3 ? cubic_jet(points_, t) : polynomial_jet(t));
+  [[nodiscard]] internal::Curve_jet operator()(double t) const {
+    internal::Curve_jet jet =
+        is_rational_ ? rational_jet(t) : (degree_ == 3 ? cubic_jet(points_, t) : polynomial_jet(t));
     if (t == 0) jet.point = points_[0];
     if (t == 1) jet.point = points_[degree_];
     return jet;
@@ -168,7 +176,7 @@ class Bezier_evaluator {
   }
 
   // The numerator of a rational piece.
-  [[nodiscard]] Curve_jet polynomial_jet(double t) const {
+  [[nodiscard]] internal::Curve_jet polynomial_jet(double t) const {
     const double s = 1 - t, n = static_cast<double>(degree_);
     boost::container::small_vector<Xy<double>, 12> b(points_, points_ + degree_ + 1);
     if (is_rational_)
@@ -176,7 +184,7 @@ class Bezier_evaluator {
     if (degree_ == 1) return {blend(s, b[0], t, b[1]), b[1] - b[0], {}};
     for (std::size_t k = degree_; k > 2; --k)
       for (std::size_t i = 0; i < k; ++i) b[i] = blend(s, b[i], t, b[i + 1]);
-    return last_steps(b.data(), s, t, n);
+    return internal::last_steps(b.data(), s, t, n);
   }
   // The weights of the scheme's last points: three, or two of a line.
   [[nodiscard]] boost::container::small_vector<double, 12> last_weights(double t) const {
@@ -186,7 +194,7 @@ class Bezier_evaluator {
       for (std::size_t i = 0; i < k; ++i) w[i] = s * w[i] + t * w[i + 1];
     return w;
   }
-  [[nodiscard]] Jet_errors weighted_errors(double t, const Curve_jet& jet) const {
+  [[nodiscard]] internal::Jet_errors weighted_errors(double t, const internal::Curve_jet& jet) const {
     const double s = 1 - t, n = static_cast<double>(degree_), unit = 1.5 * HALF_ULP * size_;
     const auto w = last_weights(t);
     const bool is_line = degree_ == 1;
@@ -198,9 +206,9 @@ class Bezier_evaluator {
                  second = (18 * n + 18) * unit * d2 + d1 * ((12 * n + 16) * (1.5 * HALF_ULP) * speed + 2 * first);
     return {(std::min)(first, first_error_), (std::min)(second * UP, second_error_)};
   }
-  [[nodiscard]] Curve_jet rational_jet(double t) const {
+  [[nodiscard]] internal::Curve_jet rational_jet(double t) const {
     const double s = 1 - t, n = static_cast<double>(degree_);
-    const Curve_jet numerator = polynomial_jet(t);
+    const internal::Curve_jet numerator = polynomial_jet(t);
     const auto w = last_weights(t);
     double weight, first, second = 0;
     if (degree_ == 1) {
@@ -213,7 +221,7 @@ class Bezier_evaluator {
       second = n * (n - 1) * ((w[2] - w[1]) - (w[1] - w[0]));
     }
     const double inverse = 1 / weight;
-    Curve_jet jet;
+    internal::Curve_jet jet;
     jet.point = {numerator.point.x / weight, numerator.point.y / weight};
     jet.first = inverse * (numerator.first - first * jet.point);
     jet.second = inverse * ((numerator.second - (2 * first) * jet.first) - second * jet.point);

@@ -39,22 +39,22 @@ enum class Build_status {
   REGION_LIMIT         ///< more region nodes than allowed would be needed; there are none
 };
 
-/// Which nodes a segment's subtree has, and whether they are kept.
-enum class Node_kind {
-  STORED,    ///< pieces are halved at the parameter midpoint; a node is a bit, whether it is split
-  LAZY,      ///< the same nodes, made as a traversal goes below: a query that sees few of them pays for those alone
-  EQUALIZED  ///< fewest leaves: a segment is cut where all its regions are about as thick as eps allows, and the leaves
-             ///< are joined two by two, as evenly as their number lets
-};
-
 /// How a hierarchy of regions is built.
 /// \code
 /// Build_options options;
-/// options.nodes = Node_kind::LAZY;
+/// options.nodes = Build_options::Nodes::LAZY;
 /// const Region_hierarchy_2 regions(tree, 1e-9, options);
 /// \endcode
 struct Build_options {
-  Node_kind nodes = Node_kind::STORED;
+  /// Which nodes a segment's subtree has, and whether they are kept.
+  enum class Nodes {
+    STORED,    ///< pieces are halved at the parameter midpoint; a node is a bit, whether it is split
+    LAZY,      ///< the same nodes, made as a traversal goes below: a query that sees few of them pays for those alone
+    EQUALIZED  ///< fewest leaves: a segment is cut where all its regions are about as thick as eps allows, and the
+               ///< leaves are joined two by two, as evenly as their number lets
+  };
+
+  Nodes nodes = Nodes::STORED;
   std::size_t max_nodes = 20'000'000;                      ///< the most region nodes, of all segments together
   std::function<void(std::size_t, std::size_t)> progress;  ///< called with segments done and segments in all
   /// Keep each stored node's thickness as it was bounded when it was made, 8 bytes, instead of computing it

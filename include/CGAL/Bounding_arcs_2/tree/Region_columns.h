@@ -21,12 +21,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// One side of regions. The joints and second bulges of methods whose sides have one arc each are left empty. Where a
-/// region of another method has one arc, its joint is its end and its second bulge 0.
-struct Side_columns {
-  std::vector<double> bulge, joint_x, joint_y, second_bulge;
-};
-
 /// The regions of all leaves of a tree in doubles, in columns.
 /// Leaf j of segment i, in curve order, is row first[i] + j: the piece from t to the t of the next row, from the point
 /// (x, y) to that of the next row. The last row of a segment is its end, without a region: zeros. Equal points of
@@ -38,9 +32,15 @@ struct Side_columns {
 ///   std::cout << columns.x[row] << ' ' << columns.y[row] << ' ' << columns.inner.bulge[row] << '\n';
 /// \endcode
 struct Region_columns {
+  /// One side of regions. The joints and second bulges of methods whose sides have one arc each are left empty. Where a
+  /// region of another method has one arc, its joint is its end and its second bulge 0.
+  struct Side {
+    std::vector<double> bulge, joint_x, joint_y, second_bulge;
+  };
+
   std::vector<std::size_t> first;  ///< the first row of each segment, and the number of rows
   std::vector<double> t, x, y;
-  Side_columns inner, outer;
+  Side inner, outer;
   Region_form form = Region_form::BCA;  ///< of regions with two arcs a side
   std::vector<double>
       widening;  ///< of each segment: the exact curve is within it of its regions, in units of the plane
@@ -60,11 +60,11 @@ struct Region_columns {
   }
   /// Returns the region of a row whose segment is known.
   [[nodiscard]] Arc_region_2 region(std::size_t row, std::size_t segment) const {
-    const auto side = [&](const Side_columns& c) {
-      if (c.joint_x.empty()) return Arc_side_2{1, {c.bulge[row], 0}, {}};
+    const auto side = [&](const Side& c) {
+      if (c.joint_x.empty()) return Arc_region_2::Side{1, {c.bulge[row], 0}, {}};
       const Xy<double> joint{c.joint_x[row], c.joint_y[row]};
-      if (joint == Xy<double>{x[row + 1], y[row + 1]}) return Arc_side_2{1, {c.bulge[row], 0}, {}};
-      return Arc_side_2{2, {c.bulge[row], c.second_bulge[row]}, joint};
+      if (joint == Xy<double>{x[row + 1], y[row + 1]}) return Arc_region_2::Side{1, {c.bulge[row], 0}, {}};
+      return Arc_region_2::Side{2, {c.bulge[row], c.second_bulge[row]}, joint};
     };
     Arc_region_2 r{{x[row], y[row]}, {x[row + 1], y[row + 1]}, side(inner), side(outer)};
     if (r.inner.size == 2 || r.outer.size == 2) r.form = form;
@@ -82,7 +82,7 @@ struct Region_columns {
 template <class Tree>
 void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = Instruction_set::BEST) {
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are asked for one by one");
-  if (tree.nodes() == Node_kind::LAZY)
+  if (tree.nodes() == Build_options::Nodes::LAZY)
     throw std::invalid_argument(expected("tree", "nodes that are kept", "lazy ones"));
   to.first.assign(1, 0);
   to.first.reserve(tree.spirals().size() + 1);

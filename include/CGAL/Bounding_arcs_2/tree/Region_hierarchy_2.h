@@ -196,8 +196,9 @@ class Region_hierarchy_2 {
     Made made{spirals, counts_, false};
     internal::Midpoint_nodes midpoints(options_.keep_thickness);
     internal::Equalized_leaves leaves;
-    if (options_.nodes == Node_kind::STORED) rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last);
-    if (options_.nodes == Node_kind::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last);
+    if (options_.nodes == Build_options::Nodes::STORED)
+      rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last);
+    if (options_.nodes == Build_options::Nodes::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last);
     auto boxes = std::make_shared<Boxes_later>();
     spirals_.reserve(spirals_.size() + spirals.size());
     // nothing below throws
@@ -226,8 +227,8 @@ class Region_hierarchy_2 {
   /// \complexity linear in the number of segments
   [[nodiscard]] double bound() const {
     double bound = 0;
-    if (options_.nodes == Node_kind::LAZY)
-      for (const Spiral& s : spirals_) bound = (std::max)(bound, reachable(eps_, s));
+    if (options_.nodes == Build_options::Nodes::LAZY)
+      for (const Spiral& s : spirals_) bound = (std::max)(bound, internal::reachable(eps_, s));
     for (const auto* bounds : {&midpoints_.bounds(), &leaves_.bounds()})
       for (const double b : *bounds) bound = (std::max)(bound, b);
     return bound;
@@ -241,19 +242,19 @@ class Region_hierarchy_2 {
   [[nodiscard]] std::size_t number_of_leaves() const {
     return midpoints_.number_of_leaves() + leaves_.number_of_leaves();
   }
-  [[nodiscard]] Node_kind nodes() const { return options_.nodes; }
+  [[nodiscard]] Build_options::Nodes nodes() const { return options_.nodes; }
   /// Counts the leaves of one segment that are kept.
   [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
-    if (options_.nodes == Node_kind::STORED) return midpoints_.number_of_leaves(spiral);
-    return options_.nodes == Node_kind::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
+    if (options_.nodes == Build_options::Nodes::STORED) return midpoints_.number_of_leaves(spiral);
+    return options_.nodes == Build_options::Nodes::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
   }
   using Leaf_room = internal::Leaf_runs;  ///< what write_leaf_ends works in
   /// Writes the parameters in which the leaves of a segment end, in curve order.
   /// \param room to work in \param ends room for as many as there are leaves
-  /// \pre nodes() != Node_kind::LAZY
+  /// \pre nodes() != Build_options::Nodes::LAZY
   void write_leaf_ends(std::size_t spiral, Leaf_room& room, double* ends) const {
-    CGAL_precondition(nodes() != Node_kind::LAZY);
-    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
+    CGAL_precondition(nodes() != Build_options::Nodes::LAZY);
+    if (options_.nodes == Build_options::Nodes::EQUALIZED) return leaves_.write_ends(spiral, ends);
     midpoints_.write_ends(spiral, Spiral_grid(spirals_[spiral].first(), spirals_[spiral].last()), room, ends);
   }
   [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
@@ -274,8 +275,8 @@ class Region_hierarchy_2 {
   [[nodiscard]] Node_handle root() const { return {}; }
   /// The region node over a whole segment.
   [[nodiscard]] Node_handle segment_root(std::uint32_t spiral) const {
-    if (options_.nodes == Node_kind::STORED) return midpoints_.root(spiral);
-    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.root(spiral);
+    if (options_.nodes == Build_options::Nodes::STORED) return midpoints_.root(spiral);
+    if (options_.nodes == Build_options::Nodes::EQUALIZED) return leaves_.root(spiral);
     Node_handle root;
     visit_pieces(spiral, 0, 0, 1, [&](const Node_handle& h) { root = h; });
     return root;
@@ -286,8 +287,8 @@ class Region_hierarchy_2 {
   template <class Visit> void for_each_child(const Node_handle& h, Visit&& visit) const {
     if (spirals_.empty() || h.is_leaf) return;
     if (h.is_region) {
-      if (options_.nodes == Node_kind::STORED) midpoints_.for_each_half(h, visit);
-      else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
+      if (options_.nodes == Build_options::Nodes::STORED) midpoints_.for_each_half(h, visit);
+      else if (options_.nodes == Build_options::Nodes::EQUALIZED) leaves_.for_each_half(h, visit);
       else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
     } else {
       const auto all = boxes().children(static_cast<std::uint32_t>(h.index));
@@ -322,7 +323,8 @@ class Region_hierarchy_2 {
   /// \pre h.is_region
   [[nodiscard]] Region_node node(const Node_handle& h) const {
     CGAL_precondition(h.is_region);
-    if (options_.nodes == Node_kind::EQUALIZED) return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
+    if (options_.nodes == Build_options::Nodes::EQUALIZED)
+      return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
     const Spiral_grid grid(spirals_[h.spiral].first(), spirals_[h.spiral].last());
     return {grid.parameter(h.level, h.place), grid.parameter(h.level, h.place + 1), h.spiral, h.is_leaf};
   }
@@ -338,10 +340,11 @@ class Region_hierarchy_2 {
   /// \pre h.is_region
   [[nodiscard]] double thickness(const Node_handle& h) const {
     CGAL_precondition(h.is_region);
-    if (options_.nodes == Node_kind::STORED && options_.keep_thickness) return midpoints_.nodes().thickness(h.index);
+    if (options_.nodes == Build_options::Nodes::STORED && options_.keep_thickness)
+      return midpoints_.nodes().thickness(h.index);
     const Region_node n = node(h);
     const Spiral& s = spirals_[n.spiral];
-    const double eps = reachable(eps_, s);
+    const double eps = internal::reachable(eps_, s);
     std::optional<double> sharp;
     if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
     const double upper =
@@ -364,7 +367,7 @@ class Region_hierarchy_2 {
   }
 
  private:
-  using Boxes_later = Made_once<internal::Segment_boxes>;
+  using Boxes_later = internal::Made_once<internal::Segment_boxes>;
 
   // The boxes over segments.
   [[nodiscard]] const internal::Segment_boxes& boxes() const {
@@ -378,7 +381,7 @@ class Region_hierarchy_2 {
 
   // Pieces at the last level may be leaves for want of room.
   [[nodiscard]] bool is_decided_within(const Node_handle& h, double eps) const {
-    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
+    if (options_.nodes == Build_options::Nodes::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
     return h.level < Spiral_grid(spirals_[h.spiral].first(), spirals_[h.spiral].last()).levels();
   }
   template <class Visit>
@@ -386,7 +389,7 @@ class Region_hierarchy_2 {
     const Spiral& s = spirals_[spiral];
     const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
     const auto are_thick = [&](const auto& decide) {
-      return decide.are_thick(s, level, place, count, reachable(eps_, s));
+      return decide.are_thick(s, level, place, count, internal::reachable(eps_, s));
     };
     const unsigned thick = is_last ? 0 : options_.is_filtered ? are_thick(decide_) : are_thick(decide_plainly_);
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});

@@ -20,6 +20,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// The nodes of subtrees, a bit each: whether it is split. A decider appends to them.
 class Region_nodes {
  public:
@@ -138,6 +139,7 @@ class Region_nodes {
   std::vector<std::uint64_t> split_;  // bits past the last node are 0
   std::vector<std::size_t> rank_;     // split nodes before words 0, RANKED, 2 RANKED, ...
 };
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -70,7 +70,7 @@ template <class Tree> class Region_reader {
   /// Calls visit(leaf, region) for all leaves in curve order. All of a segment are made at once, but of lazy trees, so
   /// that this takes little more time than Region_columns do, and no more memory than one segment's.
   template <class Visit> void for_each_leaf(const Visit& visit) {
-    if (tree_->nodes() == Node_kind::LAZY)
+    if (tree_->nodes() == Build_options::Nodes::LAZY)
       return tree_->for_each_leaf([&](const Node_handle& h) { visit(h, region(h)); });
     Region_columns leaves;
     leaves.widening.resize(1);

@@ -22,6 +22,7 @@ template <class Tree> [[nodiscard]] Curve_place place_of(const Tree& tree, const
   return {p.curve, p.bezier, t};
 }
 
+namespace internal {
 /// The leaf of a segment that holds what comes just behind t. \pre first() <= t < last()
 /// \complexity the depth of the leaf
 template <class Tree> [[nodiscard]] Node_handle leaf_behind(const Tree& tree, std::size_t spiral, double t) {
@@ -47,21 +48,22 @@ template <class Tree> [[nodiscard]] Node_handle leaf_before(const Tree& tree, st
   }
   return h;
 }
+}  // namespace internal
 
 /// The leaf that follows one along its curve; around a closed curve without end.
 /// \return nothing behind the last leaf of an open curve \pre h.is_leaf
 template <class Tree> [[nodiscard]] std::optional<Node_handle> next_leaf(const Tree& tree, const Node_handle& h) {
   const Region_node n = tree.node(h);
-  if (n.t1 < tree.spirals()[n.spiral].last()) return leaf_behind(tree, n.spiral, n.t1);
+  if (n.t1 < tree.spirals()[n.spiral].last()) return internal::leaf_behind(tree, n.spiral, n.t1);
   const auto next = segment_after(tree.spirals(), n.spiral);
-  return next ? std::optional(leaf_behind(tree, *next, tree.spirals()[*next].first())) : std::nullopt;
+  return next ? std::optional(internal::leaf_behind(tree, *next, tree.spirals()[*next].first())) : std::nullopt;
 }
 /// The leaf before it, the other way round.
 template <class Tree> [[nodiscard]] std::optional<Node_handle> previous_leaf(const Tree& tree, const Node_handle& h) {
   const Region_node n = tree.node(h);
-  if (tree.spirals()[n.spiral].first() < n.t0) return leaf_before(tree, n.spiral, n.t0);
+  if (tree.spirals()[n.spiral].first() < n.t0) return internal::leaf_before(tree, n.spiral, n.t0);
   const auto before = segment_before(tree.spirals(), n.spiral);
-  return before ? std::optional(leaf_before(tree, *before, tree.spirals()[*before].last())) : std::nullopt;
+  return before ? std::optional(internal::leaf_before(tree, *before, tree.spirals()[*before].last())) : std::nullopt;
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -35,6 +35,7 @@ template <class Spiral> struct Piece_source {
   }
 };
 
+namespace internal {
 /// eps, or the least thickness that the coordinates and cuts of the segment resolve where that is larger.
 template <class Spiral> [[nodiscard]] double reachable(double eps, const Spiral& spiral) {
   // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
@@ -58,16 +59,18 @@ struct Subdivision {
       0;  ///< at least the thickness of every leaf; above eps where parameters have no room for more halvings
   bool is_over_limit = false;  ///< there would be more than `limit` nodes, and not all are there
 };
+}  // namespace internal
 
 /// Appends the nodes of a segment's subtree, level by level.
 /// \param bound a model of BoundingRegionTraits_2's Bound_thickness_2
 /// \param eps the largest thickness of a leaf, at least reachable(spiral)
 /// \param limit the most nodes to be there in the end, those before included
 template <class BoundThickness, class Spiral>
-[[nodiscard]] Subdivision subdivide(const BoundThickness& bound, const Spiral& spiral, double eps, std::size_t limit,
-                                    Region_nodes& nodes, Decision_counts& counts) {
+[[nodiscard]] internal::Subdivision subdivide(const BoundThickness& bound, const Spiral& spiral, double eps,
+                                              std::size_t limit, internal::Region_nodes& nodes,
+                                              Decision_counts& counts) {
   const Spiral_grid grid(spiral.first(), spiral.last());
-  Subdivision result;
+  internal::Subdivision result;
   std::vector<std::uint64_t> places{0}, halves;
   for (int level = 0; !places.empty(); ++level) {
     for (const std::uint64_t place : places) {
@@ -78,8 +81,8 @@ template <class BoundThickness, class Spiral>
       nodes.append(&thickness.upper, is_split, 1);
       if (is_split) halves.insert(halves.end(), {2 * place, 2 * place + 1});
       else result.bound = (std::max)(result.bound, thickness.upper);
-      const bool may_be_hopeless = level == 0 && thickness.upper > hopeless_thickness(limit, eps);
-      if (may_be_hopeless && !bound(piece, hopeless_thickness(limit, eps)).within) return {0, true};
+      const bool may_be_hopeless = level == 0 && thickness.upper > internal::hopeless_thickness(limit, eps);
+      if (may_be_hopeless && !bound(piece, internal::hopeless_thickness(limit, eps)).within) return {0, true};
       if (nodes.size() > limit) return {0, true};
     }
     places.swap(halves);

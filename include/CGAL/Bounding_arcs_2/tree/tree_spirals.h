@@ -49,8 +49,8 @@ template <class NT = double>
   // numbers that scaling has rounded are cut elsewhere
   if (cuts.are_rounded() && !cuts.are_in_own_lengths())
     return spiral_segments(converted<NT>(tree.drawing()), first, last);
-  if constexpr (std::is_same_v<NT, double>) return spirals_between(tree.drawing(), first, last, cuts);
-  else return spirals_between(converted<NT>(tree.drawing()), first, last, cuts);
+  if constexpr (std::is_same_v<NT, double>) return internal::spirals_between(tree.drawing(), first, last, cuts);
+  else return internal::spirals_between(converted<NT>(tree.drawing()), first, last, cuts);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -19,49 +19,50 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// What is wrong with an axis.
-enum class Axis_fault : std::uint8_t {
-  FORM,    ///< a number is not finite, a place is on no curve, or an edge has fewer than two samples
-  END,     ///< an edge's end is not the disc, or does not touch the places, of its vertex
-  EULER,   ///< vertices less edges, or parts that hang together, are not what regions and holes say
-  TOUCH,   ///< a vertex is not as far from a place that it touches as its radius
-  FOOT,    ///< a sample is not as far from a foot as its radius, or not on the normal there
-  TILING,  ///< feet leave a part of the boundary out, or cover it twice, or two discs have no common foot
-  CELL,    ///< what is between two samples and their feet is turned inside out
-  DISC,    ///< a curve is in a disc
-  BOUND    ///< the axis is farther from the line between two samples than told
-};
-/// The fault's name in capitals.
-[[nodiscard]] const char* name_of(Axis_fault fault);
-
-/// One thing that is wrong with an axis.
-struct Axis_finding {
-  Axis_fault fault;
-  std::string place;  ///< as "edge 3, sample 17"
-  double amount = 0;  ///< by how much, in units of the coordinates; 0 where it is no length
-};
-
 /// What a check of an axis has found.
 struct Axis_verification {
+  /// What is wrong with an axis.
+  enum class Fault : std::uint8_t {
+    FORM,    ///< a number is not finite, a place is on no curve, or an edge has fewer than two samples
+    END,     ///< an edge's end is not the disc, or does not touch the places, of its vertex
+    EULER,   ///< vertices less edges, or parts that hang together, are not what regions and holes say
+    TOUCH,   ///< a vertex is not as far from a place that it touches as its radius
+    FOOT,    ///< a sample is not as far from a foot as its radius, or not on the normal there
+    TILING,  ///< feet leave a part of the boundary out, or cover it twice, or two discs have no common foot
+    CELL,    ///< what is between two samples and their feet is turned inside out
+    DISC,    ///< a curve is in a disc
+    BOUND    ///< the axis is farther from the line between two samples than told
+  };
+
+  /// One thing that is wrong with an axis.
+  struct Finding {
+    Fault fault;
+    std::string place;  ///< as "edge 3, sample 17"
+    double amount = 0;  ///< by how much, in units of the coordinates; 0 where it is no length
+  };
+
+  /// How an axis is checked.
+  struct Options {
+    Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
+    bool is_framed = false;               ///< the last curve is a frame
+    std::vector<double> bounds;           ///< of each edge, what it tells of its distance from the axis; empty: eps
+  };
+
   std::size_t vertices = 0, edges = 0, samples = 0;
-  std::size_t tiles = 0;   ///< parts of the boundary, each with the line between two samples that is its own
-  std::size_t discs = 0;   ///< that were searched for curves
-  double miss = 0;         ///< the largest difference of a radius and the distance of a foot
-  double aside = 0;        ///< the largest distance of a center from the normal in a foot
-  double gap = 0;          ///< the largest gap between feet that follow each other
-  double deviation = 0;    ///< the largest distance that was measured between the axis and its lines
-  std::size_t faults = 0;  ///< how many
-  std::vector<Axis_finding> findings;  ///< the first 100 of them
+  std::size_t tiles = 0;          ///< parts of the boundary, each with the line between two samples that is its own
+  std::size_t discs = 0;          ///< that were searched for curves
+  double miss = 0;                ///< the largest difference of a radius and the distance of a foot
+  double aside = 0;               ///< the largest distance of a center from the normal in a foot
+  double gap = 0;                 ///< the largest gap between feet that follow each other
+  double deviation = 0;           ///< the largest distance that was measured between the axis and its lines
+  std::size_t faults = 0;         ///< how many
+  std::vector<Finding> findings;  ///< the first 100 of them
 
   [[nodiscard]] bool is_right() const { return faults == 0; }
 };
 
-/// How an axis is checked.
-struct Axis_check_options {
-  Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
-  bool is_framed = false;               ///< the last curve is a frame
-  std::vector<double> bounds;           ///< of each edge, what it tells of its distance from the axis; empty: eps
-};
+/// The fault's name in capitals.
+[[nodiscard]] const char* name_of(Axis_verification::Fault fault);
 
 /// Checks an axis of closed curves that do not cross, or of all curves in a frame.
 ///
@@ -77,7 +78,7 @@ struct Axis_check_options {
 ///   measured, which is no proof
 /// \complexity linear in the samples, times log n and some microseconds
 [[nodiscard]] Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis_2& axis,
-                                            const Axis_check_options& options = {});
+                                            const Axis_verification::Options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -111,14 +111,15 @@ template <class Construction, class Spiral>
                 "verification needs rational curves");
   constexpr double ULPS = 8, CUTS = 16;
   const auto parts = shape_parts<Construction>();
-  internal::Region_question piece{{relative_piece(spiral.exact_table(), Exact_rational(t0), Exact_rational(t1)),
-                                   spiral.template shape<Exact_rational>(t0, t1, parts)},
-                                  t0,
-                                  t1,
-                                  spiral.first(),
-                                  spiral.last(),
-                                  (std::max)(ULPS * ulp_of(spiral.coordinate_size()), CUTS * spiral.cut_error()),
-                                  {}};
+  internal::Region_question piece{
+      {internal::relative_piece(spiral.exact_table(), Exact_rational(t0), Exact_rational(t1)),
+       spiral.template shape<Exact_rational>(t0, t1, parts)},
+      t0,
+      t1,
+      spiral.first(),
+      spiral.last(),
+      (std::max)(ULPS * ulp_of(spiral.coordinate_size()), CUTS * spiral.cut_error()),
+      {}};
   if constexpr (!has_outline_v<Construction>)
     piece.outside = [&](double goal) {
       const auto boundary = construction.boundary(frame_at_origin(spiral.accurate_shape(t0, t1, parts)));

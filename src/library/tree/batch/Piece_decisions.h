@@ -142,7 +142,7 @@ class Look_ahead {
       question.first.of[lane] = grid.first();
       question.length.of[lane] = grid.step(0);
       question.last.of[lane] = grid.last();
-      question.eps.of[lane] = reachable(eps, first[i]);
+      question.eps.of[lane] = internal::reachable(eps, first[i]);
     };
     for_lanes(first, count, question.curves, serves, set, [&](int kind, const std::size_t* places, std::size_t size) {
       const Top_function function = functions.of_top(kind);
@@ -186,7 +186,7 @@ class Level_strategy {
  public:
   /// Appends the nodes of the first levels, as far as they were decided ahead.
   /// \return what is known of them \post is_done() tells whether these are all
-  Subdivision begin(const Segment_top& top, Region_nodes& nodes, Decision_counts& counts) {
+  internal::Subdivision begin(const Segment_top& top, internal::Region_nodes& nodes, Decision_counts& counts) {
     double thickness[TOP_NODES];
     std::uint64_t there = 1, split = 0;  // places of a level, and nodes, level by level
     std::size_t count = 0;
@@ -215,8 +215,9 @@ class Level_strategy {
   [[nodiscard]] bool is_done() const { return next_.empty(); }
 
   /// Appends the nodes that are not there after begin: together the same as those of Bounding_arcs::subdivide.
-  [[nodiscard]] Subdivision finish(Piece_decisions& decide, const Segment_top& top, double eps, std::size_t limit,
-                                   Region_nodes& nodes, Decision_counts& counts) {
+  [[nodiscard]] internal::Subdivision finish(Piece_decisions& decide, const Segment_top& top, double eps,
+                                             std::size_t limit, internal::Region_nodes& nodes,
+                                             Decision_counts& counts) {
     Work work{decide, decide.grid(), eps, limit, nodes, counts, top.largest()};
     if (top.levels() > 0) give_up_hopeless(work, top.thickness(0, 0));
     for (int level = top.levels(); !next_.empty() && !work.is_over_limit(); ++level) {
@@ -238,7 +239,7 @@ class Level_strategy {
     const Spiral_grid& grid;
     double eps;
     std::size_t limit;
-    Region_nodes& nodes;
+    internal::Region_nodes& nodes;
     Decision_counts& counts;
     double bound;
     bool is_hopeless = false;
@@ -264,7 +265,7 @@ class Level_strategy {
   }
   // \param whole an upper bound of the whole segment's thickness
   static void give_up_hopeless(Work& work, double whole) {
-    const double far = hopeless_thickness(work.limit, work.eps);
+    const double far = internal::hopeless_thickness(work.limit, work.eps);
     if (whole > far)
       work.is_hopeless = work.decide(pieces_of(work.grid, 0, 0, 1), far, nullptr, work.counts).above != 0;
   }

@@ -55,11 +55,11 @@ template <class NT> class Tabulated_bezier {
 
   Bezier_curve_2<NT> curve_;
   double size_ = 0, unit_;
-  Made_once<Bezier_curve_2<Exact>> exact_curve_;
-  Made_once<Taylor_table<Plain>> plain_;
-  Made_once<Taylor_table<Bounded_double>> bounded_;
-  Made_once<Taylor_table<Double_double>> twofold_;
-  Made_once<Taylor_table<Exact>> exact_;
+  internal::Made_once<Bezier_curve_2<Exact>> exact_curve_;
+  internal::Made_once<Taylor_table<Plain>> plain_;
+  internal::Made_once<Taylor_table<Bounded_double>> bounded_;
+  internal::Made_once<Taylor_table<Double_double>> twofold_;
+  internal::Made_once<Taylor_table<Exact>> exact_;
 };
 
 template <class NT>

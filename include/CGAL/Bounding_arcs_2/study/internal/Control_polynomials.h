@@ -81,7 +81,7 @@ template <class NT> struct Around_zero {
 template <class NT> [[nodiscard]] Around_zero<NT> range_of(const std::vector<NT>& scaled_coefficients) {
   Around_zero<NT> range;
   if (scaled_coefficients.empty()) return range;
-  const std::vector<NT> factors = binomials<NT>(static_cast<int>(scaled_coefficients.size()) - 1);
+  const std::vector<NT> factors = internal::binomials<NT>(static_cast<int>(scaled_coefficients.size()) - 1);
   for (std::size_t i = 0; i < factors.size(); ++i) range.add(NT(scaled_coefficients[i] / factors[i]));
   return range;
 }
@@ -89,7 +89,7 @@ template <class NT> [[nodiscard]] Around_zero<NT> range_of(const std::vector<NT>
 /// A lower bound of every weight on [0, 1]. \pre positive weights
 template <class NT> [[nodiscard]] NT least_weight(const Bernstein_polynomial<NT>& weight) {
   const std::vector<NT>& c = weight.scaled_coefficients();
-  const std::vector<NT> factors = binomials<NT>(weight.degree());
+  const std::vector<NT> factors = internal::binomials<NT>(weight.degree());
   NT least = c.front();
   for (std::size_t i = 1; i < c.size(); ++i) least = smaller(least, NT(c[i] / factors[i]));
   return least;

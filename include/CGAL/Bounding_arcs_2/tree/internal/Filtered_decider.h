@@ -8,19 +8,121 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_FILTERED_DECIDER_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_FILTERED_DECIDER_H
 
+#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Piece_filter.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Plain_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+// The measure by which leaves of about equal thickness are made: a thickness rounded up to few digits, so that it is
+// the same whoever bounded the thickness, and breaks are where they are without a filter and in every kernel.
+
+/// Digits of measures: moves breaks by 2^-13 / 3 of a piece; twice as many would leave more open.
+inline constexpr int MEASURE_BITS = 12;
+/// x >= 0 rounded up to MEASURE_BITS significant bits.
+[[nodiscard]] inline double rounded_measure(double x) {
+  constexpr std::uint64_t REST = (std::uint64_t(1) << (53 - MEASURE_BITS)) - 1;
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits = (bits + REST) & ~REST;
+  std::memcpy(&x, &bits, sizeof bits);
+  return x;
+}
+
+/// \param upper an upper bound of the piece's thickness, as a rule within 2^-20 of it
+/// \param bound decides pieces against an eps
+/// \return at least the thickness, at most eps where `upper` is; the least number of MEASURE_BITS bits that is, but
+///   where `upper` is farther above the thickness
+template <class Piece, class Bound>
+[[nodiscard]] double thickness_measure(double upper, const Piece& piece, double eps, const Bound& bound) {
+  constexpr double CLOSE = 0x1p-20;
+  double measure = rounded_measure(upper);
+  const double less = rounded_measure(upper * (1 - CLOSE));
+  if (less < measure && bound(piece, less).within) measure = less;
+  return upper <= eps ? (std::min)(measure, eps) : measure;
+}
+
+/// The traits' Bound_thickness_2 over floating numbers; for exact ones the filtered kernel's, which decides the same
+/// and bounds thickness in doubles.
+template <class Traits> class Measure_bound {
+  struct In_double {
+    typename Traits::Construction construction;
+    template <class Source> [[nodiscard]] Thickness_bound operator()(const Source& source, double eps) const {
+      return bound_thickness<double, true>(construction, source, eps);
+    }
+  };
+  static constexpr bool IS_FLOATING = std::is_floating_point_v<typename Traits::FT>;
+  [[nodiscard]] static auto bound_of(const Traits& traits) {
+    if constexpr (IS_FLOATING) return traits.bound_thickness_2_object();
+    else return In_double{traits.construction()};
+  }
+
+ public:
+  explicit Measure_bound(const Traits& traits) : bound_(bound_of(traits)) {}
+  template <class Source> [[nodiscard]] Thickness_bound operator()(const Source& source, double eps) const {
+    return bound_(source, eps);
+  }
+
+ private:
+  decltype(bound_of(std::declval<const Traits&>())) bound_;
+};
+
+/// A model of PieceDecider (doc/concepts.md).
+template <class Traits, class Spiral> class Plain_decider {
+ public:
+  Plain_decider(const Traits& traits, Instruction_set)
+      : bound_(traits.bound_thickness_2_object()), measure_bound_(traits) {}
+
+  /// Does nothing, as each segment is decided by itself.
+  void look_ahead(const Spiral*, std::size_t, double, bool) {}
+  /// Appends a segment's subtree, see Bounding_arcs::subdivide.
+  [[nodiscard]] internal::Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                internal::Region_nodes& nodes, Decision_counts& counts) {
+    return Bounding_arcs::subdivide(bound_, spiral, eps, limit, nodes, counts);
+  }
+
+  /// Whether pieces place and, for `count` 2, place + 1 of a level are thicker than eps, a bit each.
+  [[nodiscard]] unsigned are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
+                                   double eps) const {
+    const Spiral_grid grid(spiral.first(), spiral.last());
+    unsigned above = 0;
+    for (unsigned i = 0; i < count; ++i) {
+      const double t0 = grid.parameter(level, place + i), t1 = grid.parameter(level, place + i + 1);
+      if (!bound_(Piece_source<Spiral>{spiral, t0, t1}, eps).within) above |= 1U << i;
+    }
+    return above;
+  }
+
+  /// Sets the measures of the pieces between breaks, see thickness_measure.
+  void measure(const Spiral& spiral, double eps, const std::vector<double>& breaks, std::vector<double>& measures,
+               Decision_counts& counts) const {
+    measures.resize(breaks.size() - 1);
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      const Piece_source<Spiral> piece{spiral, breaks[i], breaks[i + 1]};
+      const Thickness_bound thickness = measure_bound_(piece, eps);
+      ++(thickness.was_exact ? counts.exact : counts.bounded);
+      measures[i] = thickness_measure(thickness.upper, piece, eps, measure_bound_);
+    }
+  }
+
+ private:
+  decltype(std::declval<const Traits&>().bound_thickness_2_object()) bound_;
+  Measure_bound<Traits> measure_bound_;
+};
+
+}  // namespace CGAL::Bounding_arcs
 
 namespace CGAL::Bounding_arcs::filter {
 
@@ -40,8 +142,8 @@ template <class Traits, class Spiral> class Filtered_decider {
   void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness) {
     if constexpr (IS_DOUBLE) filter_.look_ahead(first, count, eps, keeps_thickness);
   }
-  [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
-                                      Decision_counts& counts) {
+  [[nodiscard]] internal::Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                internal::Region_nodes& nodes, Decision_counts& counts) {
     if constexpr (IS_DOUBLE)
       if (const auto s = filter_.subdivide(spiral, eps, limit, nodes, counts, open_piece(spiral, bound_))) return *s;
     return plain_.subdivide(spiral, eps, limit, nodes, counts);

@@ -66,9 +66,9 @@ class Piece_filter {
   void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness);
   /// Appends the subtree of a segment, the nodes of Bounding_arcs::subdivide. \return nothing, and no nodes, where
   /// there are no batches
-  [[nodiscard]] std::optional<Subdivision> subdivide(const Spiral& spiral, double eps, std::size_t limit,
-                                                     Region_nodes& nodes, Decision_counts& counts,
-                                                     const Open_piece& open);
+  [[nodiscard]] std::optional<internal::Subdivision> subdivide(const Spiral& spiral, double eps, std::size_t limit,
+                                                               internal::Region_nodes& nodes, Decision_counts& counts,
+                                                               const Open_piece& open);
   /// Whether pieces place and, for `count` 2, place + 1 of a level are thicker than eps, a bit each; or nothing.
   [[nodiscard]] std::optional<unsigned> are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
                                                   double eps, const Open_piece& open) const;

@@ -38,7 +38,7 @@ template <class Tree>
 
 // Whether kept leaves follow each other from the first parameter of their segment to the last one, as many as counted.
 template <class Tree> [[nodiscard]] bool has_leaves_side_by_side(const Tree& tree) {
-  if (tree.nodes() == Node_kind::LAZY) return true;
+  if (tree.nodes() == Build_options::Nodes::LAZY) return true;
   bool is_right = true;
   std::vector<std::size_t> count(tree.spirals().size(), 0);
   std::vector<double> end;

@@ -52,7 +52,7 @@ template <class K> auto parts_of(const Arc_2& arc) {
 TYPED_TEST(CircularLineCurve, IsTheArcOfTheExactCircleOnTheSideOfTheBulge) {
   using K = TypeParam;
   using NT = typename K::FT;
-  const auto at = [](const Xy<NT>& p) { return typename K::Circular_arc_point_2(kernel_point<K>(p)); };
+  const auto at = [](const Xy<NT>& p) { return typename K::Circular_arc_point_2(internal::kernel_point<K>(p)); };
   const Xy<NT> from{NT(FROM.x), NT(FROM.y)}, to{NT(TO.x), NT(TO.y)}, chord = to - from;
   for (const double size : {1e-300, 1e-20, 1e-9, 0.01, 0.3, 0.7, 1.0})
     for (const double bulge : {size, -size}) {
@@ -64,10 +64,11 @@ TYPED_TEST(CircularLineCurve, IsTheArcOfTheExactCircleOnTheSideOfTheBulge) {
       const NT b(bulge);
       const Xy<NT> apex = from + NT(NT(1) / NT(2)) * chord - NT(b / NT(2)) * perp(chord);
       for (const Xy<NT>& p : {from, to, apex})
-        EXPECT_EQ(circle.bounded_side(kernel_point<K>(p)), CGAL::ON_BOUNDARY) << bulge;
+        EXPECT_EQ(circle.bounded_side(internal::kernel_point<K>(p)), CGAL::ON_BOUNDARY) << bulge;
       // counterclockwise, so to the right of its chord
       const Xy<NT>&source = bulge > 0 ? from : to, &target = bulge > 0 ? to : from;
-      EXPECT_EQ(CGAL::orientation(kernel_point<K>(source), kernel_point<K>(target), kernel_point<K>(apex)),
+      EXPECT_EQ(CGAL::orientation(internal::kernel_point<K>(source), internal::kernel_point<K>(target),
+                                  internal::kernel_point<K>(apex)),
                 CGAL::RIGHT_TURN)
           << bulge;
     }
@@ -157,12 +158,12 @@ TEST(CircularLineCurves, OfAnOutlineOfARegionInDoublesAreClosed) {
 TEST(CircularLineCurves, OfKernelBoundariesAreAllOnRationalCirclesAndLines) {
   using K = Rational_kernel;
   const Xy<FT> from{FT(0), FT(0)}, joint{FT(1), FT(0)}, to{FT(2), FT(1)};
-  const auto side =
-      kernel_chain<K>(Boundary_chain_2<FT>(piece_on_chord(from, joint, FT(-0.25)), piece_on_chord(joint, to, FT(0))));
+  const auto side = internal::kernel_chain<K>(
+      Boundary_chain_2<FT>(piece_on_chord(from, joint, FT(-0.25)), piece_on_chord(joint, to, FT(0))));
   EXPECT_NE(get_if<K::Circular_arc_2>(circular_line_curve(side[0])), nullptr);
   EXPECT_NE(get_if<K::Line_arc_2>(circular_line_curve(side[1])), nullptr);
-  const Kernel_piece_2<K> tangent{Algebraic_segment_2<K>{K::Circular_arc_point_2(kernel_point<K>(from)),
-                                                         K::Circular_arc_point_2(kernel_point<K>(to))}};
+  const Kernel_piece_2<K> tangent{Algebraic_segment_2<K>{K::Circular_arc_point_2(internal::kernel_point<K>(from)),
+                                                         K::Circular_arc_point_2(internal::kernel_point<K>(to))}};
   EXPECT_THROW((void)circular_line_curve(tangent), std::invalid_argument);
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using Doubles = Short_list<double>;
+using Doubles = internal::Short_list<double>;
 
 // The product of the linear polynomials t - root, in the Bernstein basis.
 Bernstein_polynomial<Rational> with_roots(const std::vector<Rational>& roots) {
@@ -63,7 +63,7 @@ TEST(DoubleDouble, ErrorBoundHoldsUnderCancellationAndUnderflow) {
 
 TEST(SignVariations, BoundsCountEveryChoiceOfUnknownSigns) {
   const auto bounds = [](const std::vector<int>& signs) {
-    Sign_variations v;
+    internal::Sign_variations v;
     for (const int s : signs) v.append(s);
     return std::array<int, 3>{v.fewest, v.most(), v.first};
   };

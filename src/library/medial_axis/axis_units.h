@@ -4,8 +4,8 @@
 //
 // The ways of an axis into a unit and back (curve/Unit.h).
 
-#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_UNITS_H
-#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_UNITS_H
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_UNITS_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_UNITS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
@@ -19,20 +19,21 @@ namespace CGAL::Bounding_arcs::internal {
 /// The unit of an axis, as that of a drawing.
 [[nodiscard]] inline Unit unit_of(const Medial_axis_2& axis) {
   double size = 0;
-  for (const Medial_vertex& v : axis.vertices)
+  for (const Medial_axis_2::Vertex& v : axis.vertices)
     size = (std::max)({size, std::fabs(v.center.x), std::fabs(v.center.y), v.radius});
-  for (const Medial_edge& e : axis.edges)
-    for (const Medial_sample& s : e.samples)
+  for (const Medial_axis_2::Edge& e : axis.edges)
+    for (const Medial_axis_2::Sample& s : e.samples)
       size = (std::max)({size, std::fabs(s.center.x), std::fabs(s.center.y), s.radius});
   return Unit::of_size(size);
 }
 
 template <class Lengths, class Bounds>
 [[nodiscard]] Medial_axis_2 with_lengths(Medial_axis_2 axis, const Lengths& scaled, const Bounds& bounds) {
-  for (Medial_vertex& v : axis.vertices)
+  for (Medial_axis_2::Vertex& v : axis.vertices)
     v.center = {scaled(v.center.x), scaled(v.center.y)}, v.radius = scaled(v.radius), v.clearance = bounds(v.clearance);
-  for (Medial_edge& e : axis.edges)
-    for (Medial_sample& s : e.samples) s.center = {scaled(s.center.x), scaled(s.center.y)}, s.radius = scaled(s.radius);
+  for (Medial_axis_2::Edge& e : axis.edges)
+    for (Medial_axis_2::Sample& s : e.samples)
+      s.center = {scaled(s.center.x), scaled(s.center.y)}, s.radius = scaled(s.radius);
   for (Xy<double>& p : axis.unresolved) p = {scaled(p.x), scaled(p.y)};
   axis.eps = bounds(Bracket{0, axis.eps}).upper;
   axis.error = bounds(Bracket{0, axis.error}).upper;

@@ -214,7 +214,7 @@ template <class NT> void expect_arcs_near_their_ends() {
 TEST(RoundedArc, IsAsFarFromASupportThatMissesItsEnds) {
   constexpr double OFF = 1e-4;
   const Point from{0, 0}, to{std::sin(1.0), 1 - std::cos(1.0)};  // on the unit circle about (0, 1)
-  const Rounded_arc_2<double> arc = rounded_arc<double>({from, to, {{0, OFF}, {0, 1}, 1}});
+  const internal::Rounded_arc_2<double> arc = internal::rounded_arc<double>({from, to, {{0, OFF}, {0, 1}, 1}});
   ASSERT_GT(arc.squared_radius, 0);
   // about the support's center, with a radius between the distances of both ends
   EXPECT_GE(arc.deviation, std::fabs(std::sqrt(arc.squared_radius) - 1));

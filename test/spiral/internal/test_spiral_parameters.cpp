@@ -33,7 +33,7 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using Doubles = Short_list<double>;
+using Doubles = internal::Short_list<double>;
 
 constexpr double CUT_WIDTH = 0x1p-51;
 
@@ -147,7 +147,7 @@ TEST(SpiralParameters, CutsACuspOnceAndCallsItSingular) {
   // C' = (u^2, u) with u = 3 t - 1
   const Spiral_parameters third = spiral_parameters(curve({0, 1, -1, 3}, {0, -1, -0.5, 1.5}));
   EXPECT_EQ(third.breaks, Doubles({1.0 / 3}));
-  EXPECT_EQ(third.reasons, Short_list<Cut_reason>({Cut_reason::CUSP}));
+  EXPECT_EQ(third.reasons, internal::Short_list<Cut_reason>({Cut_reason::CUSP}));
 }
 
 TEST(SpiralParameters, CutsOnceAtAMultipleRootOfOneCoordinate) {
@@ -191,7 +191,7 @@ TEST(SpiralParameters, CutsAFoldedStraightCurveOnceAtASingularBreak) {
                         curve({0, 2, 1}, {0, -6, -3}, {1, 1, 1})}) {
     const Spiral_parameters s = spiral_parameters(c);
     EXPECT_EQ(s.breaks, Doubles({2.0 / 3}));
-    EXPECT_EQ(s.reasons, Short_list<Cut_reason>({Cut_reason::CUSP}));
+    EXPECT_EQ(s.reasons, internal::Short_list<Cut_reason>({Cut_reason::CUSP}));
     EXPECT_TRUE(s.is_straight);
   }
 }
@@ -267,7 +267,7 @@ TEST(SpiralParameters, PrefersASingularRootToAnEarlierTurnNearby) {
   const Bernstein_polynomial<Rational> v = vanishing_at(r), one({1, 1});
   const Spiral_parameters s = spiral_parameters(curve_with_derivative(v * vanishing_at(r - d), v * one));
   EXPECT_EQ(s.breaks, Doubles({r}));
-  EXPECT_EQ(s.reasons, Short_list<Cut_reason>({Cut_reason::CUSP}));
+  EXPECT_EQ(s.reasons, internal::Short_list<Cut_reason>({Cut_reason::CUSP}));
 }
 
 // C' = (t - c) (a linear vector), rounded to double: the cusp is pulled apart into a tight turn.

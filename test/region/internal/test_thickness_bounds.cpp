@@ -38,7 +38,8 @@ template <class Construction> void expect_enclosed(const Piece& p, const Chord_s
   EXPECT_EQ(construction.thickness(p.spiral.shape<double>(p.t0, p.t1)), thickness.value()) << Construction::NAME;
   // Signs of nearly constant curvature are noise: there the double region is a BCA, and its thickness that of a BCA.
   const bool alike = bounded.proper == exact.proper || std::is_same_v<Construction, Bca>;
-  const auto range = alike ? thickness_interval(construction, exact) : thickness_interval(Bca(), exact);
+  const auto range =
+      alike ? internal::thickness_interval(construction, exact) : internal::thickness_interval(Bca(), exact);
   EXPECT_LE(thickness.lower(), range.sup()) << Construction::NAME;
   EXPECT_GE(thickness.upper(), range.inf()) << Construction::NAME;
   EXPECT_LE(range.sup() - range.inf(), 1e-8 * range.sup()) << Construction::NAME;
@@ -87,7 +88,7 @@ TEST(BoundedDouble, KeepsWhatLongDoubleHoldsBeyondDouble) {
 TEST(TriangleHeight, IsThatOfTheEndTangents) {
   for (const double w : {0.5, 0.25, 0x1p-10, 0x1p-20}) {
     const auto at = [](double u) { return End_jet_2<Bounded_double>{{u, u * u}, {1.0, 2 * u}, {0.0, 2.0}}; };
-    const double height = triangle_height(chord_frame(at(-w), at(w)).shape);
+    const double height = internal::triangle_height(chord_frame(at(-w), at(w)).shape);
     EXPECT_GE(height, 2 * w * w);
     EXPECT_LE(height, 2 * w * w * (1 + 1e-9));
   }
@@ -99,7 +100,7 @@ TEST(TriangleHeight, IsThatOfTheTighterEnd) {
   const double exact = 0.5 / std::sqrt(2.0),
                of_isosceles = std::sqrt(2.0) / 2;  // the latter with both angles 45 degrees
   for (const double u : {-1.0, 0.0}) {
-    const double height = triangle_height(chord_frame(at(u), at(u + 1)).shape);
+    const double height = internal::triangle_height(chord_frame(at(u), at(u + 1)).shape);
     EXPECT_GE(height, exact);
     EXPECT_NEAR(height, of_isosceles, 1e-9);
   }

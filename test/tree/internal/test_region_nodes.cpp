@@ -20,7 +20,7 @@ namespace test_region_nodes {
 namespace {
 
 using bounding_arcs_test::FEW_CASES;
-using CGAL::Bounding_arcs::Region_nodes;
+using CGAL::Bounding_arcs::internal::Region_nodes;
 
 /// Nodes and what they should be.
 class Checked_nodes {
