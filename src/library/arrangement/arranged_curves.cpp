@@ -285,15 +285,15 @@ namespace {
     coordinates.push_back(Unprotected_interval(is_vertical ? p.y : p.x) * weights.back());
   }
   const internal::Interval_isolation::Polynomial x(std::move(coordinates)), w(std::move(weights)),
-      slope = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative(), change = slope.derivative();
-  const internal::Interval_isolation found(slope);
+      way = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative(), change = way.derivative();
+  const internal::Interval_isolation found(way);
   if (!found.undecided.empty()) return std::nullopt;
   std::vector<Bracket> ranges;
   for (const Root_cell& cell : found.cells) {
     constexpr double NARROW = 0x1p-50, ENOUGH = 0x1p-30;
     Bracket range{cell.lo, cell.hi};
     while (range.width() > NARROW) {  // by signs, and by Newton's method in intervals (Moore 1966)
-      const Unprotected_interval t(range.middle()), at = slope(t), rise = change({range.lower, range.upper});
+      const Unprotected_interval t(range.middle()), at = way(t), rise = change({range.lower, range.upper});
       Bracket next = range;
       if (const int sign = certain_sign(at); sign != 0) (sign == cell.lower_sign ? next.lower : next.upper) = t.inf();
       if (certain_sign(rise) != 0) {

@@ -38,11 +38,11 @@ template <class Isa, class Arcs> Lanes_function lanes_function(int kind) {
   template Top_function top_function<Isa, Spiral_fat_arc_batch>(int);     \
   template Batch_function batch_function<Isa, Bilens_batch>(int);         \
   template Top_function top_function<Isa, Bilens_batch>(int);             \
-  template Arc_function arc_function<Isa, Bca_arcs>(int);                \
+  template Arc_function arc_function<Isa, Bca_arcs>(int);                 \
   template Lanes_function lanes_function<Isa, Bca_arcs>(int);             \
-  template Arc_function arc_function<Isa, Spiral_fat_arc_arcs>(int);     \
+  template Arc_function arc_function<Isa, Spiral_fat_arc_arcs>(int);      \
   template Lanes_function lanes_function<Isa, Spiral_fat_arc_arcs>(int);  \
-  template Arc_function arc_function<Isa, Bilens_arcs>(int);             \
+  template Arc_function arc_function<Isa, Bilens_arcs>(int);              \
   template Lanes_function lanes_function<Isa, Bilens_arcs>(int)
 BOUNDING_ARCS_FOR_SETS(BOUNDING_ARCS_LOOPS)
 

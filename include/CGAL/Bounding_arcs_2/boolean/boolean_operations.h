@@ -99,8 +99,8 @@ struct Drawn_outline {
   /// How an outline becomes a drawing.
   struct Options {
     /// Leaves out parts that doubles do not tell from a point, and chains of which nothing else is there. Such a part
-    /// has no direction for whoever reads the drawing, and another operation would cut it again. Leaves out chains, too,
-    /// that bound nothing when they are rounded, as they run along a line and back.
+    /// has no direction for whoever reads the drawing, and another operation would cut it again. Leaves out chains,
+    /// too, that bound nothing when they are rounded, as they run along a line and back.
     bool drops_tiny_parts = true;
   };
 
