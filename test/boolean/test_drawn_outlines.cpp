@@ -182,7 +182,7 @@ TEST(DrawnOutlines, LeaveOutChainsThatBoundNothing) {
   const Operands operands({drawing_of(polygon({{0, 0}, {2, 1}, {3, 5}}))});
   const auto edge = [](std::uint32_t i, bool is_reversed, const Point& start, const Point& end) {
     const ba::Bracket zero{0, 0}, one{1, 1};
-    return ba::Outline_part{0, 0, i, is_reversed ? one : zero, is_reversed ? zero : one, is_reversed, start, end};
+    return ba::Outline_2::Part{0, 0, i, is_reversed ? one : zero, is_reversed ? zero : one, is_reversed, start, end};
   };
   Outline_2 outline;
   outline.chains.push_back({{edge(0, false, way[0], way[1]), edge(0, true, way[1], way[0])}, true, std::nullopt});
