@@ -65,8 +65,8 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
 
 // Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Those within a sixteenth of
 // eps of the next one are not needed, and are left out where their discs have a curve in them.
-template <class Is_empty>
-void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_axis_2::Sample>& samples) {
+template <class Is_good>
+void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_axis_2::Sample>& samples) {
   const auto is_near = [&](const Medial_axis_2::Sample& a, const Medial_axis_2::Sample& b) {
     return euclidean_norm(a.center - b.center) <= eps / 16;
   };
@@ -74,7 +74,7 @@ void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const bool is_needed = i + 1 == samples.size() ||
                            !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
-                           is_empty(samples[i].center, samples[i].radius);
+                           is_good(samples[i].center, samples[i].radius);
     if (is_needed) samples[kept++] = samples[i];
   }
   samples.resize(kept);
@@ -94,16 +94,23 @@ void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_
 // vertices.
 void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop, Medial_axis_2& axis) {
   constexpr double ROUNDING = 64;  // times the resolution
-  const auto is_empty = [&](const Xy<double>& center, double radius) {
-    Closest_search search(curves, center, radius - ROUNDING * boundary.resolution());
+  const auto is_empty_within = [&](const Xy<double>& center, double radius, double rounding) {
+    Closest_search search(curves, center, radius - rounding * boundary.resolution());
     search.search();
     return !search.result().has_value();
+  };
+  const auto is_empty = [&](const Xy<double>& center, double radius) {
+    return is_empty_within(center, radius, ROUNDING);
+  };
+  // samples that may be left out are to be better
+  const auto is_good = [&](const Xy<double>& center, double radius) {
+    return is_empty_within(center, radius, ROUNDING / 2);
   };
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
     constexpr std::size_t STEP = 8;
     std::vector<Medial_axis_2::Sample>& samples = axis.edges[edge].samples;
-    leave_samples_out(is_empty, axis.eps, samples);
+    leave_samples_out(is_good, axis.eps, samples);
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
                                 is_outlier(samples, i, axis.eps);
