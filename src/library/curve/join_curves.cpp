@@ -129,24 +129,48 @@ class Joints {
         partner_(2 * curves_.size(), NONE) {}
 
   // Joins loops whose curves follow each other in the drawing, on one layer, where tangents tell nothing else. Outlines
-  // are drawn so, and where several touch, in one direction even, only that tells them apart.
+  // are drawn so, and where several touch, in one direction even, only that tells them apart. It tells nothing of a
+  // place where another curve ends that is in no such loop: there two curves may follow each other by chance.
   void join_loops_within(const Reach& reach) {
     const Free_ends ends = free_ends(reach);
+    std::vector<std::vector<Joined_curves::Part>> loops;
+    std::vector<char> is_in_loop(partner_.size(), 0);  // ends
+    const auto mark = [&](const std::vector<Joined_curves::Part>& loop, char is_in) {
+      for (const Joined_curves::Part& part : loop) is_in_loop[2 * part.curve] = is_in_loop[2 * part.curve + 1] = is_in;
+    };
     for (std::size_t first = 0, next = 1; first < curves_.size(); first = next++) {
       for (const bool is_reversed : {false, true}) {
         std::vector<Joined_curves::Part> run{{first, is_reversed}};
         const bool is_loop = goes_round(run, reach);
         next = (std::max)(next, first + run.size());
         if (!is_loop) continue;
-        const auto begin_behind = [&](std::size_t i) { return other_end(end_behind(run[(i + 1) % run.size()])); };
-        bool is_told = true;
-        for (std::size_t i = 0; i < run.size() && is_told; ++i)
-          is_told = !goes_elsewhere(ends, end_behind(run[i]), begin_behind(i), reach) &&
-                    !goes_elsewhere(ends, begin_behind(i), end_behind(run[i]), reach);
-        for (std::size_t i = 0; i < run.size() && is_told; ++i) join(end_behind(run[i]), begin_behind(i));
+        if (is_told_by_order(run, ends, reach)) {
+          mark(run, 1);
+          loops.push_back(std::move(run));
+        }
         break;
       }
     }
+    const auto is_beside_others = [&](const std::vector<Joined_curves::Part>& loop) {
+      return std::any_of(loop.begin(), loop.end(), [&](const Joined_curves::Part& part) {
+        const auto is_other = [&](std::size_t other) { return is_in_loop[other] == 0; };
+        const auto any = [](std::size_t, std::size_t) { return true; };
+        for (const std::size_t end : {2 * part.curve, 2 * part.curve + 1}) {
+          const auto found = beside(ends, end, reach, !layers_.empty(), any);
+          if (std::any_of(found.begin(), found.end(), is_other)) return true;
+        }
+        return false;
+      });
+    };
+    for (bool is_any = true; is_any;) {  // a loop that is left out may be beside others
+      const auto kept =
+          std::stable_partition(loops.begin(), loops.end(), [&](const auto& loop) { return !is_beside_others(loop); });
+      is_any = kept != loops.end();
+      std::for_each(kept, loops.end(), [&](const auto& loop) { mark(loop, 0); });
+      loops.erase(kept, loops.end());
+    }
+    for (const std::vector<Joined_curves::Part>& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) join(end_behind(loop[i]), begin_behind(loop, i));
   }
   // Joins what has one other end within reach that has no third one.
   void join_within(const Reach& reach, bool is_of_one_layer) {
@@ -221,6 +245,19 @@ class Joints {
       if (meet(end_behind(run.back()), begin, reach)) return !is_empty_loop(curves_, run, reach.widest());
     }
     return false;
+  }
+
+  [[nodiscard]] static std::size_t begin_behind(const std::vector<Joined_curves::Part>& loop, std::size_t i) {
+    return other_end(end_behind(loop[(i + 1) % loop.size()]));
+  }
+  // Whether no end of a loop goes on straight in another one.
+  [[nodiscard]] bool is_told_by_order(const std::vector<Joined_curves::Part>& loop, const Free_ends& ends,
+                                      const Reach& reach) const {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (goes_elsewhere(ends, end_behind(loop[i]), begin_behind(loop, i), reach) ||
+          goes_elsewhere(ends, begin_behind(loop, i), end_behind(loop[i]), reach))
+        return false;
+    return true;
   }
 
   // How far the way through two ends is from a straight one: 2 at most, and less certain where ends were moved.
@@ -415,7 +452,6 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     // Ends of arcs that touch lines are off by rounding: what is the same there are ends of other outlines' lines.
     if (has_order) joints.join_loops_within(reaches[1]);
     for (const Reach& reach : reaches) {
-      if (has_order) joints.join_loops_within(reach);
       do {
         joints.join_within(reach, is_of_one_layer);
         joints.close_within(reach);

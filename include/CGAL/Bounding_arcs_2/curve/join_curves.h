@@ -6,7 +6,7 @@
 //
 //   line1 ------. .-- arc2         ends at most eps apart, and no third one beside them: one place
 //               ' '                where more than two meet: those two that go on straight
-//                |                   but first of all a loop whose curves follow each other
+//                |                   but first of all loops whose curves follow each other, where all ends are in such
 
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_JOIN_CURVES_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_JOIN_CURVES_H
