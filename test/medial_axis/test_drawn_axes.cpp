@@ -240,6 +240,19 @@ TEST(DrawnShapes, BesideDiscsThatNearlyTouchAWholeArcAreComplete) {
   EXPECT_EQ(axis_of_case(drawn, 1e-4 * size_of(drawn.drawing)).status, ba::Medial_axis_2::Status::COMPLETE);
 }
 
+// Three arcs of a file with six decimals, whose joints turn by some 1e-7: what is rounded off is told.
+TEST(DrawnShapes, OfFewDecimalsTellWhatIsRoundedOff) {
+  const Point ends[] = {{10, 5}, {5.5, 7.598076}, {5.5, 2.401924}};
+  std::vector<Bezier> chain;
+  for (int i = 0; i < 3; ++i) chain.push_back(arc_of_radius(ends[i], ends[(i + 1) % 3], 3));
+  const ba::Medial_axis_2 axis = axis_of_case({drawing_of(chain), {}}, 1e-2);
+  ASSERT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
+  EXPECT_EQ(axis.vertices.size(), axis.edges.size() + 1);
+  for (const auto& v : axis.vertices) EXPECT_LE(std::hypot(v.center.x - 7, v.center.y - 5), 0.1);
+  EXPECT_GT(axis.moved, 0);
+  EXPECT_LE(axis.moved, 0x1p-40 * 10);
+}
+
 ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
 
 // The centers are its ends: a disc about either touches all of the circle that bounds the union.

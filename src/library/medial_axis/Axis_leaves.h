@@ -35,6 +35,7 @@ struct Ring_leaves {
   std::vector<Axis_leaf> leaves;
   bool is_circle = false;  ///< the ring has one curvature, that of its disc
   Axis_leaf circle{};
+  double moved = 0;  ///< by how much joints were rounded off, or points are off the circle
 };
 
 class Leaf_finder {
@@ -48,6 +49,8 @@ class Leaf_finder {
     if (const std::optional<Axis_leaf> circle = circle_of(ends)) {
       result.is_circle = true;
       result.circle = *circle;
+      const double gap = gap_of_circle(*circle, ends);
+      if (gap > boundary_.resolution()) result.moved = gap;
       return result;
     }
     std::size_t start = 0;  // of a group of ends with one value
@@ -63,6 +66,7 @@ class Leaf_finder {
       const bool is_maximum =
           best->value > best->error && is_less(ends[(i + n - 1) % n], from) && is_less(ends[(last + 1) % n], to);
       if (is_maximum) add(*best, from, to, result.leaves);
+      if (from.leaf) result.moved = tip_height();
       i = last + 1;
     }
     return result;
@@ -99,8 +103,10 @@ class Leaf_finder {
     if (best == nullptr || !(best->value > 0) || !are_same(*last, ends.front())) return std::nullopt;
     const Axis_leaf leaf = osculating(*best, ends.front(), *last);
     constexpr double ROUNDING = 8;  // times the resolution
-    const double gap = most_gap({leaf.center, leaf.radius}, points_between(ends.front().place, last->place));
-    return gap <= ROUNDING * boundary_.resolution() ? std::optional(leaf) : std::nullopt;
+    return gap_of_circle(leaf, ends) <= ROUNDING * boundary_.resolution() ? std::optional(leaf) : std::nullopt;
+  }
+  [[nodiscard]] double gap_of_circle(const Axis_leaf& circle, const std::vector<End>& ends) const {
+    return most_gap({circle.center, circle.radius}, points_between(ends.front().place, ends.back().place));
   }
 
   [[nodiscard]] static bool is_less(const End& a, const End& b) {

@@ -170,7 +170,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 [[nodiscard]] Medial_axis_2 bounded_axis(const Segment_hierarchy& curves, const Asked_axis& asked, double close) {
   const auto bounds = std::make_shared<const Bounding_parts>(bounding_parts(curves, asked.options, close));
   Medial_axis_2 axis = axis_of(*bounds, asked);
-  axis.moved = bounds->moved;
+  axis.moved += bounds->moved;
   if (bounds->undecided) {
     axis.status = Medial_axis_2::Status::UNRESOLVED;
     axis.unresolved = {*bounds->undecided};

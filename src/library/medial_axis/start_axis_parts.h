@@ -44,6 +44,12 @@ class Axis_start {
     for (const Link& l : links_) join(l);
     collect_parts();
   }
+  /// By how much joints were rounded off, and rings are no circles that count as such.
+  [[nodiscard]] double moved() const {
+    double most = 0;
+    for (const Ring_start& start : starts_) most = (std::max)(most, start.found.moved);
+    return most;
+  }
   /// Points of holes that have no place, and of rings without a leaf.
   [[nodiscard]] const std::vector<Xy<double>>& unresolved() const { return unresolved_; }
 
