@@ -16,8 +16,7 @@
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
-#include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_rational.h>
+#include <CGAL/mpz_class.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@
 
 namespace bounding_arcs_test {
 
-using Whole = CGAL::Exact_integer;
+using Whole = mpz_class;
 using Wholes = std::vector<Whole>;
 
 /// The least exponent from 0 for which x 2^exponent is whole.
@@ -65,9 +64,40 @@ inline std::pair<Wholes, Wholes> halves(Wholes b, const Whole& t, const Whole& s
   for (std::size_t k = 0; k <= n; ++k) {
     left[k] = Whole(b.front() * factor[n - k]);
     right[n - k] = Whole(b[n - k] * factor[n - k]);
-    for (std::size_t i = 0; i + k < n; ++i) b[i] = Whole(s * b[i] + t * b[i + 1]);
+    for (std::size_t i = 0; i + k < n; ++i) {
+      b[i] *= s;
+      b[i] += t * b[i + 1];
+    }
   }
   return {std::move(left), std::move(right)};
+}
+
+/// Bernstein coefficients that change their sign once: about where, in doubles. Nothing of others.
+inline std::optional<double> only_root(const Wholes& b) {
+  std::vector<double> values;
+  std::vector<long> exponents;
+  int changes = 0, last = 0;
+  for (const Whole& v : b) {
+    long exponent = 0;
+    values.push_back(mpz_get_d_2exp(&exponent, v.get_mpz_t()));
+    exponents.push_back(exponent);
+    if (sgn(v) == 0) continue;
+    if (last != 0 && sgn(v) != last) ++changes;
+    last = sgn(v);
+  }
+  if (changes != 1) return std::nullopt;
+  const long most = *std::max_element(exponents.begin(), exponents.end());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = std::ldexp(values[i], static_cast<int>((std::max)(exponents[i] - most, -2000L)));
+  double low = 0, high = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double t = 0.5 * (low + high);
+    std::vector<double> row = values;
+    for (std::size_t n = row.size() - 1; n > 0; --n)
+      for (std::size_t k = 0; k < n; ++k) row[k] += t * (row[k + 1] - row[k]);
+    (row[0] * last > 0 ? high : low) = t;
+  }
+  return low;
 }
 
 /// A part of a piece as it is seen from a point: along a ray, and across it to the left.
@@ -92,15 +122,21 @@ struct Seen_piece {
     return are_all(CGAL::NEGATIVE, across) || are_all(CGAL::POSITIVE, across);
   }
   /// How often it crosses the ray to the left, less to the right.
+  /// \param depth how often it was halved, or as good as that
   /// \return nothing of a curve through the point
   [[nodiscard]] std::optional<int> crossings(int depth = 0) const {
     if (is_on_one_side() || is_behind()) return 0;
-    if (is_in_front()) return static_cast<int>(across.front() < 0) - static_cast<int>(across.back() < 0);
+    if (is_in_front()) return static_cast<int>(sgn(across.front()) < 0) - static_cast<int>(sgn(across.back()) < 0);
     constexpr int DEEPEST = 1000;  // some times the digits after the point of what is tested
-    if (depth == DEEPEST || (are_all(CGAL::ZERO, along) && are_all(CGAL::ZERO, across))) return std::nullopt;
-    const auto [first, second] = split(1, 1);
-    const auto of_first = first.crossings(depth + 1), of_second = second.crossings(depth + 1);
-    if (!of_first || !of_second) return std::nullopt;
+    if (depth >= DEEPEST || (are_all(CGAL::ZERO, along) && are_all(CGAL::ZERO, across))) return std::nullopt;
+    const double t = cut();
+    const int exponent = exponent_of(t);
+    const auto [first, second] = split(times_power(t, exponent), times_power(1 - t, exponent));
+    const auto halvings = [](double width) { return (std::max)(1, -std::ilogb(width)); };
+    const auto of_first = first.crossings(depth + halvings(t));
+    if (!of_first) return std::nullopt;
+    const auto of_second = second.crossings(depth + halvings(1 - t));
+    if (!of_second) return std::nullopt;
     return *of_first + *of_second;
   }
   /// Those of the part between two places in brackets.
@@ -112,12 +148,24 @@ struct Seen_piece {
       const Seen_piece p = part(t0, t1);
       return p.is_on_one_side() || p.is_behind();
     };
+    if (is_on_one_side() || is_behind()) return 0;  // and so is every part
     if (to.lower <= from.upper) return is_beside(from.lower, to.upper) ? std::optional<int>(0) : std::nullopt;
     if (!is_beside(from.lower, from.upper) || !is_beside(to.lower, to.upper)) return std::nullopt;
     return part(from.upper, to.lower).crossings();
   }
 
  private:
+  // Where to cut: in the middle, or where doubles tell where it passes the start of the ray, beside that place, and
+  // then behind it, so that what is left is as narrow as they tell. Where that is makes no difference to the answer.
+  [[nodiscard]] double cut() const {
+    constexpr double NARROW = 0x1p-40, BESIDE = 0x1p-20, LEAST = 0x1p-44;
+    const auto root = only_root(along);
+    if (!root) return 0.5;
+    const double t = *root < BESIDE       ? (std::max)(2 * *root, LEAST)
+                     : 1 - *root < BESIDE ? 1 - (std::max)(2 * (1 - *root), LEAST)
+                                          : *root - NARROW;
+    return std::floor(t / LEAST) * LEAST;
+  }
   [[nodiscard]] static bool are_all(CGAL::Sign sign, const Wholes& list) {
     return std::all_of(list.begin(), list.end(), [sign](const Whole& v) { return CGAL::sign(v) == sign; });
   }
@@ -167,7 +215,7 @@ struct Whole_piece {
         size(CGAL::abs(x_way) + CGAL::abs(y_way));
     const auto share = [&](const Whole& way) {
       if (size == 0) return 0L;
-      return std::lround(0x1p20 * CGAL::to_double(CGAL::Exact_rational(way) / CGAL::Exact_rational(size)));
+      return std::lround(0x1p20 * mpq_class(mpq_class(way) / mpq_class(size)).get_d());
     };
     return {blended(p[0], p[1]), share(x_way), share(y_way)};
   }
@@ -225,9 +273,7 @@ class Whole_curves {
 
   [[nodiscard]] CGAL::Bounding_arcs::Xy<double> rounded(const Projective_point& q) const {
     const Whole unit(q.w << static_cast<unsigned>(exponent_));
-    const auto share = [&](const Whole& v) {
-      return CGAL::to_double(CGAL::Exact_rational(v) / CGAL::Exact_rational(unit));
-    };
+    const auto share = [&](const Whole& v) { return mpq_class(mpq_class(v) / mpq_class(unit)).get_d(); };
     return {share(q.x), share(q.y)};
   }
 
