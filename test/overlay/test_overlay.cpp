@@ -4,6 +4,7 @@
 //
 // What curves cut the plane into: known drawings.
 
+#include "closed_drawings.h"
 #include "overlaid.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,22 @@ TEST(Overlay, HasTwoCirclesThatCross) {
   EXPECT_NEAR(areas[2], disc - lens, 1e-11);
   // each circle has 4 joints, too
   expect_counts(Overlaid(found.drawings(), AT_JOINTS).cells(), 10, 12, 4);
+}
+
+// Far away, where the ends of parts of arcs are rounded by much more than what areas leave open.
+TEST(Overlay, HasAreasOfFacesBetweenArcs) {
+  const double common = 2 * std::acos(-1.0) / 3 - std::sqrt(3) / 2, only = std::acos(-1.0) - common;
+  for (const double far : {0.0, 1024.0}) {
+    const Overlaid found(
+        {drawing_of(circle_of_quarters({1, far, -far})), drawing_of(circle_of_quarters({1, far + 1, -far}))});
+    expect_counts(found.cells(), 2, 4, 4);
+    for (std::uint32_t f = 1; f < 4; ++f) {
+      const ba::Measure_bounds area = found.area(f, 1e-13);
+      const double exact = found.cells().windings(f) == std::vector<int>{1, 1} ? common : only;
+      EXPECT_TRUE(area.lower <= exact + 1e-15 && exact - 1e-15 <= area.upper) << area.lower << ' ' << exact;
+      EXPECT_EQ(area.status, ba::Query_status::COMPLETE) << area.upper - area.lower;
+    }
+  }
 }
 
 TEST(Overlay, HasClosedCurvesWithoutVertices) {

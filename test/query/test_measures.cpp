@@ -183,6 +183,29 @@ TEST(Measures, OfACircleAreKnown) {
   }
 }
 
+// A quarter of an ellipse with both half axes, by weights that are 1, c sqrt(1/2) and c^2: however thin it is, and
+// however unevenly its parameter runs.
+TEST(Measures, OfEllipsesAreAsTightAsDoublesTell) {
+  const double pi = std::acos(-1.0);
+  for (const double y : {1.0, 1e-3, 1e-9})
+    for (const double c : {1.0, 0.3, 1e-4, 1e4}) {
+      ba::Drawing_2<double> drawing;
+      drawing.add({Lattice_curve({{1, 0}, {1, y}, {0, y}}, {1, c * std::sqrt(0.5), c * c}),
+                   Lattice_curve({{0, y}, {0, 0}}), Lattice_curve({{0, 0}, {1, 0}})});
+      const Bounding_arc_tree_2 index(drawing);
+      const double room = c < 1e-3 || c > 1e3 ? 1e-12 : 2e-14;  // parts of which there are more, sum up more rounding
+      const Measure_bounds area = ba::area(index, 0);
+      expect_holds(area, pi / 4 * y, 4e-16 * y, "area");
+      EXPECT_LT(area.upper - area.lower, room * y) << c;
+      const auto centroid = ba::centroid(index, 0);
+      ASSERT_TRUE(centroid);
+      expect_holds(centroid->x, 4 / (3 * pi), 4e-16, "x");
+      expect_holds(centroid->y, 4 / (3 * pi) * y, 4e-16 * y, "y");
+      EXPECT_LT(centroid->x.upper - centroid->x.lower, 10 * room) << c;
+      EXPECT_LT(centroid->y.upper - centroid->y.lower, 10 * room * y) << c;
+    }
+}
+
 TEST(Measures, OfPolynomialCurvesAreTheNearestDoubles) {
   ba::Drawing_2<double> drawing;
   drawing.add(polygon({{1e8, 1e8}, {1e8 + 3, 1e8}, {1e8 + 3, 1e8 + 1}, {1e8, 1e8 + 1}}));

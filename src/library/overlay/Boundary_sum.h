@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The area of a face: of the parts of curves along its boundaries, by Green's theorem. Polynomial parts are summed up
-// exactly, rational ones as their chords and what is between chord and curve.
+// exactly, rational ones as their chords and bounds of what is between chord and curve (Rational_part.h).
 //
 // A part is taken between doubles in the middle of the brackets of its ends' parameters. Where parts meet, segments
 // lead from one to the next. What that changes there is the area within a closed curve: along the first part to
@@ -16,11 +16,12 @@
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_BOUNDARY_SUM_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <optional>
 
@@ -47,11 +48,10 @@ class Boundary_sum {
 
   void join(const End& end, const End& start);
   void add_segment(const Point& from, const Point& to);
-  void add_curve(const Bezier_curve_2<Exact_rational>& part);
 
   Exact_rational exact_{0}, open_{0};
-  std::optional<End> first_, last_;   // of the boundary that is not closed yet
-  Drawing_2<Exact_rational> lenses_;  // between rational parts and their chords
+  std::optional<End> first_, last_;       // of the boundary that is not closed yet
+  CGAL::Interval_nt<true> by_chords_{0};  // between rational parts and their chords
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -9,7 +9,7 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
-#include "../curve/Integer_piece.h"
+#include "../curve/Rational_part.h"
 #include "../curve/green.h"
 #include "../query/query_units.h"
 
@@ -51,18 +51,35 @@ namespace {
 }  // namespace
 
 void Boundary_sum::add(const Bezier_curve_2<Exact_rational>& bezier, const Bracket& from, const Bracket& to) {
-  const Exact_rational start(from.middle()), end(to.middle());
+  const double start = from.middle(), end = to.middle();
   const bool is_certain = from.is_single() && to.is_single();
   const Exact_rational speed = is_certain ? Exact_rational(0) : speed_bound(bezier);
   const auto open = [&](const Bracket& t) {
     return Exact_rational((Exact_rational(t.upper) - Exact_rational(t.lower)) * speed);
   };
-  const End first{bezier.point(start), open(from)}, last{bezier.point(end), open(to)};
+  End first{{}, open(from)}, last{{}, open(to)};
+  if (bezier.is_rational()) {
+    const Rational_part part(bezier, start, end);
+    first.point = {Exact_rational(part.from().x), Exact_rational(part.from().y)};
+    last.point = {Exact_rational(part.to().x), Exact_rational(part.to().y)};
+    const auto beside = part.beside_chord({0, 0}).area;
+    by_chords_ += CGAL::Interval_nt<true>(beside.inf(), beside.sup());
+    first.open += Exact_rational(part.rounding());
+    last.open += Exact_rational(part.rounding());
+    add_segment(first.point, last.point);
+  } else {
+    first.point = bezier.point(Exact_rational(start));
+    last.point = bezier.point(Exact_rational(end));
+    const auto [low, high] = std::minmax(start, end);
+    if (low < high) {
+      const auto part = bezier.subcurve(Exact_rational(low), Exact_rational(high));
+      const Exact_rational area = moments_along(part, {Exact_rational(0), Exact_rational(0)}, false).area;
+      exact_ += start < end ? area : Exact_rational(-area);
+    }
+  }
   if (last_) join(*last_, first);
   else first_ = first;
   last_ = last;
-  if (start < end) add_curve(bezier.subcurve(start, end));
-  else if (end < start) add_curve(bezier.subcurve(end, start).reversed());
 }
 
 void Boundary_sum::close() {
@@ -80,30 +97,11 @@ void Boundary_sum::add_segment(const Point& from, const Point& to) {
   if (!(from == to)) exact_ += Exact_rational(cross(from, to) / Exact_rational(2));
 }
 
-void Boundary_sum::add_curve(const Bezier_curve_2<Exact_rational>& part) {
-  const Point &start = part.control_points().front(), &end = part.control_points().back();
-  if (!part.is_rational()) {
-    exact_ += moments_along(part, {Exact_rational(0), Exact_rational(0)}, false).area;
-    return;
-  }
-  add_segment(start, end);
-  if (Integer_piece(part).is_straight()) return;
-  std::vector<Bezier_curve_2<Exact_rational>> lens{part};
-  if (!(start == end)) lens.push_back(Bezier_curve_2<Exact_rational>({end, start}));
-  lenses_.add(std::move(lens));
-}
-
 // A face is an open set that is not empty, and bounded: its area is above 0, whatever rounding leaves open of it.
 Measure_bounds Boundary_sum::bounds(double eps) const {
-  Measure_bounds lenses{0, 0};
-  if (!lenses_.curves().empty()) lenses = area(Bounding_arc_tree_2(lenses_), eps);
-  const Exact_rational lower = exact_ + Exact_rational(lenses.lower) - open_,
-                       upper = exact_ + Exact_rational(lenses.upper) + open_;
-  Measure_bounds result{(std::max)(CGAL::to_interval(lower).first, 0.0), CGAL::to_interval(upper).second,
-                        lenses.status};
-  if (result.status == Query_status::COMPLETE && result.upper - result.lower > eps)
-    result.status = Query_status::RESOLUTION_REACHED;
-  return result;
+  const Exact_rational lower = exact_ + Exact_rational(by_chords_.inf()) - open_,
+                       upper = exact_ + Exact_rational(by_chords_.sup()) + open_;
+  return measured((std::max)(CGAL::to_interval(lower).first, 0.0), CGAL::to_interval(upper).second, eps, false);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

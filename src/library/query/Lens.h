@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Length of a piece of a spiral, and what is between it and its chord: both lie between those of the arcs that touch it
-// in its ends, as the three are convex curves one inside the other.
+// Length of a piece of a spiral: it lies between those of the arcs that touch it in its ends, as the three are convex
+// curves one inside the other. And the area between an arc and its chord.
 //
 // Over a chord of length L an arc with bulge b is  L (1 + b^2) atan(b) / b  long, and between them is
 //   A = L^2 / (8 b^2) ((1 + b^2)^2 atan b - b (1 - b^2))
@@ -61,39 +61,14 @@ struct Lens {
   double chord, error;
   bool has_bulges;  ///< false where directions are open: a box is all that is known
   Bracket bulge{};
-  double room = 0;  ///< of a bulge
 
   Lens(const Spiral_piece_2& piece, double e) : from(piece.first.point), to(piece.last.point), error(e) {
     const End_bulges bulges(piece, e);
     chord = bulges.length;
     has_bulges = bulges.are_known();
     if (!has_bulges) return;
-    const double b0 = bulges.first, b1 = bulges.last;
-    room = 1.1 * bulges.angle_error;
+    const double b0 = bulges.first, b1 = bulges.last, room = 1.1 * bulges.angle_error;
     bulge = {std::clamp((std::min)(b0, b1) - room, -1.0, 1.0), std::clamp((std::max)(b0, b1) + room, -1.0, 1.0)};
-  }
-
-  /// Halving such a piece tells nothing better.
-  [[nodiscard]] bool is_short() const { return !(chord > 64 * error); }
-  /// What rounding leaves open of the area, where the piece itself leaves nothing: its derivative by the bulge is
-  /// L^2 / 3 and more, up to half a circle by 1.5.
-  [[nodiscard]] double area_floor() const {
-    return has_bulges ? chord * (chord * (room + 220 * HALF_ULP) + 6 * error) : 0;
-  }
-
-  [[nodiscard]] double box_area() const {
-    return (std::fabs(to.x - from.x) + 2 * error) * (std::fabs(to.y - from.y) + 2 * error);
-  }
-
-  /// What is to the left of the exact piece more than to the left of the chord between the computed points, with the
-  /// ways between computed and exact ends counted to the piece.  They make a band of 2 e about the chord.
-  [[nodiscard]] Bracket area() const {
-    const double of_ends = 2 * error * (chord + 2 * error);
-    if (!has_bulges) return {-box_area() - of_ends, box_area() + of_ends};
-    const double square = chord * chord, low = square * lens_share(bulge.lower),
-                 high = square * lens_share(bulge.upper);
-    const double part = (5 * error / chord + 110 * HALF_ULP) * (std::max)(std::fabs(low), std::fabs(high));
-    return {low - part - of_ends, high + part + of_ends};
   }
 
   /// The length of the exact piece; 4 e for the chord and for slivers beside its ends.

@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include "../curve/exact_bezier.h"
+#include "../polynomial/Gauss_rule.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Foot.h"
 
@@ -83,11 +84,7 @@ using Exact_chain = std::vector<Bezier_curve_2<Exact_rational>>;
 //   A = a_1 R + a_2 R^2 + ...,  V = w_1 R + w_2 R^2 + ....
 // For complex s with |s| <= R,  |H(s) - H(0)| <= A' (1 + V) + A V' - a_1  and  |W(s) - 1| <= V.  Where the former is at
 // most 3/4 of c = |H(0)|, the speed in m, and the latter at most 1/4, neither vanishes and so the root of H times its
-// conjugate is analytic; |H| / W^2 is at most (7/4 c) / (3/4)^2 < 4 c.  The ellipse about -1 and 1 with the half axis R
-// has a sum of half axes r = R + sqrt(R^2 - 1), and with |speed| <= M in it Chebyshev coefficients are at most
-// 2 M r^-k (Bernstein, 1912).  Sixteen nodes are exact up to s^31, a term is integrated and summed up to 2 at most
-// each:
-//   |error| <= sum over k >= 32 of 4 * 2 M r^-k = 8 M r^-32 / (1 - 1 / r) <= 32 c r^-32 / (1 - 1 / r).
+// conjugate is analytic; |H| / W^2 is at most (7/4 c) / (3/4)^2 < 4 c, which is the M of Gauss_rule.h.
 
 /// Integrates the speed of one Bezier piece, over the parts of it that are asked about.
 class Speed_integral {
@@ -106,7 +103,7 @@ class Speed_integral {
     const double share = missed_share(speed, h);
     if (!(share <= MOST_SHARE)) return std::nullopt;
     double sum = 0;
-    for (const auto& [x, weight] : NODES)
+    for (const auto& [x, weight] : Gauss_rule::NODES)
       sum += weight * (euclidean_norm(curve_(middle - h * x).first) + euclidean_norm(curve_(middle + h * x).first));
     const double length = h * sum, room = share * (2 * h) * (speed.norm + speed_error_) + floor(t0, t1, length);
     return Bracket{(std::max)(0.0, length - room), length + room};
@@ -122,19 +119,6 @@ class Speed_integral {
   }
 
  private:
-  struct Node {
-    double x, weight;
-  };
-  static constexpr Node NODES[] = {
-      {0.9894009349916499326, 0.02715245941175409485}, {0.9445750230732325761, 0.06225352393864789286},
-      {0.8656312023878317439, 0.09515851168249278481}, {0.7554044083550030339, 0.1246289712555338721},
-      {0.6178762444026437484, 0.1495959888165767321},  {0.4580167776572273863, 0.1691565193950025382},
-      {0.2816035507792589132, 0.1826034150449235889},  {0.09501250983763744019, 0.1894506104550684963}};
-  // An ellipse: the half axis R, and a share of the half length that is at least 16 r^-32 / (1 - 1 / r).
-  struct Ellipse {
-    double half_axis, share;
-  };
-  static constexpr Ellipse ELLIPSES[] = {{4, 4e-28}, {3, 7e-24}, {2, 1.1e-17}, {1.5, 1.1e-12}, {1.25, 7.5e-9}};
   static constexpr double MOST_SHARE = 1e-8;
   // The speed at a parameter.
   struct Speed {
@@ -187,7 +171,7 @@ class Speed_integral {
   [[nodiscard]] double missed_share(const Speed& speed, double h) const {
     constexpr double DOWN = 1 - 0x1p-40;
     const double least_weight = speed.weight * DOWN, least_speed = (speed.norm - speed_error_) * DOWN;
-    for (const Ellipse& e : ELLIPSES) {
+    for (const Gauss_rule::Ellipse& e : Gauss_rule::ELLIPSES) {
       const double x = h * e.half_axis;
       double a = 0, a_slope = 0, v = 0, v_slope = 0, power = 1;
       for (std::size_t k = 0; k < numerator_.size(); ++k, power *= x) {
@@ -198,7 +182,7 @@ class Speed_integral {
         v_slope += order * denominator_[k] * power;
       }
       const double change = (a_slope - numerator_[0] + (a_slope * v + a * v_slope) / least_weight) / least_weight;
-      if (change <= 0.75 * least_speed && v <= 0.25 * least_weight) return e.share;
+      if (change <= 0.75 * least_speed && v <= 0.25 * least_weight) return 2 * e.missed;  // M h is 2 c (2 h)
     }
     return std::numeric_limits<double>::infinity();
   }
@@ -276,9 +260,9 @@ Measure_bounds length(const Bounding_arc_tree_2& curves, double eps) {
 
 [[nodiscard]] static Measure_bounds area(const Segment_hierarchy& curves, double eps) {
   if (const auto found = internal::double_double_area(curves)) return measured(found->lower, found->upper, eps, false);
-  const internal::Area_sum sum(curves, false, eps);
+  const internal::Area_sum sum(curves, false);
   const Exact_rational lower = sum.exact().area + sum.least().area, upper = sum.exact().area + sum.most().area;
-  return measured(CGAL::to_interval(lower).first, CGAL::to_interval(upper).second, eps, sum.is_limited());
+  return measured(CGAL::to_interval(lower).first, CGAL::to_interval(upper).second, eps, false);
 }
 
 Measure_bounds area(const Bounding_arc_tree_2& curves, double eps) {
@@ -293,29 +277,17 @@ Measure_bounds area(const Bounding_arc_tree_2& curves, double eps) {
 
 // \param tolerance relative to the extent
 [[nodiscard]] static std::optional<Centroid_bounds> centroid(const Segment_hierarchy& curves, double tolerance) {
-  const double extent = internal::extent_of(curves);
-  const Measure_bounds rough = area(curves, 0x1p-10 * extent * extent);
-  const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
-  const auto bounds = [&](double of_sum) -> std::optional<Centroid_bounds> {
-    const internal::Area_sum sum(curves, true, of_sum);
-    const auto range = [](const Exact_rational& low, const Exact_rational& high) {
-      return CGAL::Interval_nt<true>(CGAL::to_interval(low).first, CGAL::to_interval(high).second);
-    };
-    const Exact_moments &m = sum.exact(), &low = sum.least(), &high = sum.most();
-    const auto all = range(m.area + low.area, m.area + high.area);
-    if (all.do_overlap(0)) return std::nullopt;
-    const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
-               y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
-    const double asked = tolerance * extent;
-    return Centroid_bounds{measured(x.inf(), x.sup(), asked, sum.is_limited()),
-                           measured(y.inf(), y.sup(), asked, sum.is_limited())};
+  const internal::Area_sum sum(curves, true);
+  const auto range = [](const Exact_rational& low, const Exact_rational& high) {
+    return CGAL::Interval_nt<true>(CGAL::to_interval(low).first, CGAL::to_interval(high).second);
   };
-  const auto first = bounds(tolerance * least);
-  if (!first) return std::nullopt;
-  // where signed areas cancel, the centroid may be far outside, and what is open of the area moves it more
-  const double width = (std::max)(first->x.upper - first->x.lower, first->y.upper - first->y.lower),
-               asked = tolerance * extent;
-  return width <= asked || asked == 0 ? first : bounds(tolerance * least * (asked / width) / 2);
+  const Exact_moments &m = sum.exact(), &low = sum.least(), &high = sum.most();
+  const auto all = range(m.area + low.area, m.area + high.area);
+  if (all.do_overlap(0)) return std::nullopt;
+  const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
+             y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
+  const double asked = tolerance * internal::extent_of(curves);
+  return Centroid_bounds{measured(x.inf(), x.sup(), asked, false), measured(y.inf(), y.sup(), asked, false)};
 }
 
 std::optional<Centroid_bounds> centroid(const Bounding_arc_tree_2& curves, double eps) {

@@ -67,7 +67,7 @@ TEST(Measures, AreaOfDoublesIsThatOfExactArithmetic) {
     const auto found = ba::internal::double_double_area(index.in_unit());
     if (!found) continue;
     ++told;
-    const CGAL::Exact_rational exact = ba::internal::Area_sum(index.in_unit(), false, 0).exact().area;
+    const CGAL::Exact_rational exact = ba::internal::Area_sum(index.in_unit(), false).exact().area;
     EXPECT_TRUE(CGAL::Exact_rational(found->lower) <= exact && exact <= CGAL::Exact_rational(found->upper)) << i;
     EXPECT_EQ(std::nextafter(found->lower, HUGE_VAL), found->upper) << i;
   }

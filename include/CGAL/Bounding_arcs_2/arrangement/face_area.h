@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs {
 /// \param face a handle of a face, bounded
 /// \param eps how far the bounds may be apart; they are farther where doubles tell no more of rational curves
 /// \guarantee certified; for polynomial curves the nearest doubles, but for what parameters of vertices leave open
-/// \complexity some tens of microseconds an edge; for rational curves pieces as the third root of 1 / eps
+/// \complexity some tens of microseconds an edge
 /// \throws std::invalid_argument if the face is unbounded, or eps below 0
 template <class Face_handle> [[nodiscard]] Measure_bounds face_area(Face_handle face, double eps) {
   if (face->is_unbounded()) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));

@@ -190,7 +190,7 @@ struct Overlay_2 {
 /// \param eps how far the bounds may be apart; they are farther where doubles tell no more of rational curves, or of
 ///   the parameters of vertices
 /// \guarantee certified; for polynomial curves the nearest doubles, but for what parameters of vertices leave open
-/// \complexity some tens of microseconds an edge; for rational curves pieces as the third root of 1 / eps
+/// \complexity some tens of microseconds an edge
 /// \throws std::invalid_argument if the face is unbounded, or eps below 0
 [[nodiscard]] Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
                                        std::uint32_t face, double eps);

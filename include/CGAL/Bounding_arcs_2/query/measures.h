@@ -54,8 +54,7 @@ struct Centroid_bounds {
 /// that are clockwise taken off.
 /// \param eps how far the bounds may be apart; they are farther where doubles tell no more of rational curves
 /// \guarantee certified; for polynomial curves the nearest doubles
-/// \complexity n for polynomial curves, some hundred microseconds a piece of a B-spline with rounded pieces; for
-///   rational ones pieces as the third root of 1 / eps, times its logarithm
+/// \complexity n; some tens of microseconds a rational piece, some hundred a piece of a B-spline with rounded pieces
 /// \throws std::invalid_argument if a curve is open, with its name
 [[nodiscard]] Measure_bounds area(const Bounding_arc_tree_2& tree, double eps);
 
