@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The check of a medial axis: axes as they are made are right, and each of twenty-one ways to break one is seen.
+// The check of a medial axis: axes as they are made are right, and each of twenty-two ways to break one is seen.
 
 #include "axis_checks.h"
 #include "near_equal_discs.h"
@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
@@ -70,6 +71,29 @@ TEST(AxisCheck, FindsNothingInAxesWithCornersHolesOpenCurvesAndPoints) {
   Axis_verification::Options options;
   options.is_framed = true;
   expect_right(framed, framed_axis_of(framed, EPS), options);
+}
+
+Drawing strokes_of(std::initializer_list<std::vector<Bezier>> curves) {
+  Drawing drawing;
+  for (const std::vector<Bezier>& curve : curves) drawing.add(curve);
+  return drawing;
+}
+
+TEST(AxisCheck, FindsNothingWhereWallsRunAlongEachOther) {
+  const auto line = [](double from, double to) { return std::vector<Bezier>{segment({from, 0}, {to, 0})}; };
+  const Bezier quarter({{1, 0}, {1, 1}, {0, 1}}, {1, 1, 2}),
+      other({{0.96, 0.28}, {0.54, 1.72}, {-0.6, 0.8}}, {1, std::sqrt(0.36), 1});
+  Axis_verification::Options options;
+  options.is_framed = true;
+  for (const Drawing& drawing :
+       {strokes_of({line(0, 4), line(-2, 2)}), strokes_of({line(0, 4), line(2, -2), line(1, 3)}),
+        strokes_of({line(0, 1), line(1, 2), line(4, 2)}), strokes_of({line(0, 3), line(0, 3)}),
+        strokes_of({{segment({3, 2}, {6, 2}), segment({6, 2}, {-6, 2})}, {segment({3, 2}, {-1, 2})}}),
+        strokes_of({{quarter}, {quarter.subcurve(0.25, 0.75)}, {segment({0, 0}, {1, 0})}}),
+        strokes_of({{quarter}, {other}})}) {
+    const Drawing framed = ba::framed(drawing, 1);
+    expect_right(framed, framed_axis_of(framed, EPS), options);
+  }
 }
 
 TEST(AxisCheck, IsTheSameInAnyUnit) {
@@ -291,6 +315,34 @@ TEST_F(BrokenAxis, IsSeenWhereAnEdgeBetweenTwoPointsIsLeftOut) {
   const Axis_verification v = ba::verify_axis(framed, axis, options);
   ASSERT_FALSE(v.is_right());
   for (const auto& f : v.findings) EXPECT_EQ(f.fault, Axis_verification::Fault::TILING);
+}
+// Two lines in one place: discs touch either of them, and one alone.
+TEST_F(BrokenAxis, IsSeenWhereAWallIsTiledTwiceOrNotAtAll) {
+  const Drawing framed = ba::framed(strokes_of({{segment({0, 0}, {3, 0})}, {segment({0, 0}, {3, 0})}}), 1);
+  Axis_verification::Options options;
+  options.is_framed = true;
+  const Medial_axis_2 axis = framed_axis_of(framed, EPS);
+  expect_right(framed, axis, options);
+  Medial_axis_2 twice = axis, none = axis;
+  const auto along = std::find_if(none.edges.begin(), none.edges.end(), [](const auto& e) {
+    return std::any_of(e.samples.begin() + 1, e.samples.end(),
+                       [&](const auto& s) { return std::fabs(s.center.x - (&s - 1)->center.x) > 2; });
+  });
+  ASSERT_NE(along, none.edges.end());
+  twice.edges.push_back(*along);
+  for (auto& s : twice.edges.back().samples)
+    for (ba::Curve_place* foot : {&s.left, &s.right})
+      if (foot->curve < 2) foot->curve = 1 - foot->curve;
+  none.edges.erase(along);
+  const auto expect_place = [&](const Medial_axis_2& broken, const std::string& place) {
+    const Axis_verification v = ba::verify_axis(framed, broken, options);
+    EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [&](const auto& f) {
+      return f.fault == Axis_verification::Fault::TILING && f.place.rfind(place, 0) == 0 && f.amount > 2.9;
+    })) << place;
+  };
+  expect_place(twice, "walls that run along each other");
+  expect_place(none, "curve 0");
+  expect_place(none, "curve 1");
 }
 TEST_F(BrokenAxis, IsSeenWhereItIsOfTheOutsideOfAHole) {
   const std::vector<Bezier> square = closed_chain({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),

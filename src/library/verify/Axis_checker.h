@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,7 @@ class Axis_checker {
     match_feet();
     check_sides();
     check_gaps();
+    check_shared_walls();
     check_sectors();
     CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) check_discs(i);
@@ -154,8 +156,7 @@ class Axis_checker {
     const std::vector<Medial_axis_2::Sample>& samples = axis_.edges[edge].samples;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const Medial_axis_2::Sample &s = samples[i], &t = samples[i + 1];
-      const auto left = tile_between(curves_, t.left, s.left, t, s, room_),
-                 right = tile_between(curves_, s.right, t.right, s, t, room_);
+      const auto left = tile_of(t.left, s.left, t, s), right = tile_of(s.right, t.right, s, t);
       if (!left || !right) {
         find(Axis_verification::Fault::TILING, sample_name(edge, i));
         continue;
@@ -166,6 +167,25 @@ class Axis_checker {
         expect_foot(tile, tile.end, *tile.last, sample_name(edge, i));
       }
     }
+  }
+
+  [[nodiscard]] std::optional<Axis_tile> tile_of(const Curve_place& begin, const Curve_place& end,
+                                                 const Medial_axis_2::Sample& first,
+                                                 const Medial_axis_2::Sample& last) const {
+    const auto plain =
+        tile_between(curves_, names_of(curves_, begin, room_), names_of(curves_, end, room_), first, last, room_);
+    if (plain || !options_.is_framed) return plain;
+    return tile_between(curves_, all_names(begin), all_names(end), first, last, room_);
+  }
+  // A foot as a place on all pieces that have it: in a frame walls may run along each other.
+  [[nodiscard]] std::vector<Curve_place> all_names(const Curve_place& foot) const {
+    std::vector<Curve_place> result{foot};
+    for (const Curve_place& p : boxes_.places_near(point(foot), room_))
+      if (!is_of_piece(p, foot)) result.push_back(p);
+    return result;
+  }
+  static bool is_of_piece(const Curve_place& p, const Curve_place& q) {
+    return p.curve == q.curve && p.bezier == q.bezier;
   }
 
   // A line that crosses the boundary, in a tip, is parted by discs between: nothing else of the cells changes.
@@ -293,29 +313,30 @@ class Axis_checker {
     double low, high;
   };
   void check_sides() {
-    std::vector<std::vector<Range>> left(curves_.curves().size()), right(curves_.curves().size());
+    for (auto& side : tiled_) side.resize(curves_.curves().size());
     for_each_tile([&](const Axis_tile& t) {
-      if (t.is_point) return;
-      const bool is_left = t.begin.t < t.end.t;
-      (is_left ? left : right)[t.begin.curve].push_back(
-          {t.begin.bezier, (std::min)(t.begin.t, t.end.t), (std::max)(t.begin.t, t.end.t)});
+      if (!t.is_point)
+        tiled(t.begin.curve, is_on_left(t))
+            .push_back({t.begin.bezier, (std::min)(t.begin.t, t.end.t), (std::max)(t.begin.t, t.end.t)});
     });
     std::size_t rings = 0;
     for (std::size_t i = 0; i < curves_.curves().size(); ++i) {
       const auto [has_left, has_right] = sides_[i];
       for (const bool is_left : {true, false}) {
-        std::vector<Range>& ranges = (is_left ? left : right)[i];
         const bool is_wanted = is_left ? has_left : has_right;
         rings += is_wanted ? 1 : 0;
-        if (is_wanted) check_side(i, std::move(ranges));
-        else if (!ranges.empty())
+        if (is_wanted) check_side(i, is_left);
+        else if (!tiled(i, is_left).empty())
           find(Axis_verification::Fault::TILING, "a side without a region of curve " + std::to_string(i));
       }
     }
     if (!options_.is_framed && rings != axis_.regions + axis_.holes)
       find(Axis_verification::Fault::EULER, "sides of curves that bound a region");
   }
-  void check_side(std::size_t curve, std::vector<Range> ranges) {
+  static bool is_on_left(const Axis_tile& t) { return t.begin.t < t.end.t; }
+  [[nodiscard]] std::vector<Range>& tiled(std::size_t curve, bool is_left) { return tiled_[is_left ? 0 : 1][curve]; }
+  void check_side(std::size_t curve, bool is_left) {
+    std::vector<Range>& ranges = tiled(curve, is_left);
     std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
       return a.bezier != b.bezier ? a.bezier < b.bezier : a.low < b.low;
     });
@@ -323,17 +344,18 @@ class Axis_checker {
     for (std::size_t b = 0; b < curves_.curves()[curve].beziers.size(); ++b) {
       double t = 0;
       for (; next < ranges.size() && ranges[next].bezier == b; ++next) {
-        expect_joint(curve, b, t, ranges[next].low);
+        expect_joint(curve, b, t, ranges[next].low, is_left);
         t = ranges[next].high;
       }
-      expect_joint(curve, b, t, 1);
+      expect_joint(curve, b, t, 1, is_left);
     }
   }
   struct Gap {
     Curve_place from;
     double to, length;
+    bool is_left;
   };
-  void expect_joint(std::size_t curve, std::size_t bezier, double t, double next) {
+  void expect_joint(std::size_t curve, std::size_t bezier, double t, double next, bool is_left) {
     if (t == next) return;
     const auto at = [&](double s) {
       return Curve_place{static_cast<decltype(Curve_place::curve)>(curve),
@@ -346,27 +368,60 @@ class Axis_checker {
     }
     if (next < t) find(Axis_verification::Fault::TILING, text_of(at(t)), gap);
     else if (is_touched_arc(piece(at(t)), t, next)) ++touched_arcs_[curve];
-    else gaps_.push_back({at(t), next, gap});
+    else gaps_.push_back({at(t), next, gap, is_left});
   }
-  // What no disc touches. In a tip whose sides leave it alike they are one for a way: there no region is between them.
+  // Whether curves run about the same way at two places.
+  [[nodiscard]] bool is_along(const Curve_place& p, const Curve_place& q) const {
+    return CGAL::to_double(dot(point_at(piece(p), p.t).derivative, point_at(piece(q), q.t).derivative)) > 0;
+  }
+  // Whether another piece has the place, and a tile there on the same side.
+  [[nodiscard]] bool is_tiled_elsewhere(const Curve_place& at, bool is_left) const {
+    if (!options_.is_framed) return false;
+    const Xy<double> p = point(at);
+    for (const Curve_place& q : boxes_.places_near(p, room_)) {
+      if (is_of_piece(q, at)) continue;
+      const std::vector<Range>& ranges = tiled_[is_left == is_along(at, q) ? 0 : 1][q.curve];
+      const auto holds = [&](const Range& r) {
+        return r.bezier == q.bezier &&
+               distance(point({q.curve, q.bezier, std::clamp(q.t, r.low, r.high)}), p) <= 2 * room_;
+      };
+      if (std::any_of(ranges.begin(), ranges.end(), holds)) return true;
+    }
+    return false;
+  }
+  // Where walls run along each other, tiles are on one of them. Curves that touch are that near for less.
+  void check_shared_walls() {
+    constexpr double SHARE = 0x1p-8;  // of the size
+    double twice = 0;
+    for_each_tile([&](const Axis_tile& t) {
+      if (!t.is_point && is_tiled_elsewhere(place_at(t, 0.5), is_on_left(t)))
+        twice += distance(point(t.begin), point(t.end));
+    });
+    if (twice > SHARE * size_) find(Axis_verification::Fault::TILING, "walls that run along each other", twice);
+  }
+  // What no disc touches. In a tip whose sides leave it alike they are one for a way: no region is between these.
   void check_gaps() {
     for (const Gap& gap : gaps_) {
       const int count = 8 * piece(gap.from).degree() + 1;
-      const auto is_beside_another = [&](const Xy<double>& p) {
+      const auto is_beside_another = [&](const Curve_place& at) {
         return std::any_of(gaps_.begin(), gaps_.end(), [&](const Gap& other) {
-          return &other != &gap && distance(p, nearest_of(other, p)) <= room_;
+          if (&other == &gap) return false;
+          const Curve_place near = nearest_of(other, point(at));
+          return distance(point(at), point(near)) <= room_ && (other.is_left == gap.is_left) != is_along(at, near) &&
+                 !is_tiled_elsewhere(near, other.is_left);
         });
       };
       bool is_nothing = true;
       for (int i = 0; i < count && is_nothing; ++i) {
         const double t = gap.from.t + (gap.to - gap.from.t) * i / (count - 1);
-        is_nothing = is_beside_another(point({gap.from.curve, gap.from.bezier, t}));
+        const Curve_place at{gap.from.curve, gap.from.bezier, t};
+        is_nothing = is_beside_another(at) || is_tiled_elsewhere(at, gap.is_left);
       }
       if (!is_nothing) find(Axis_verification::Fault::TILING, text_of(gap.from), gap.length);
     }
   }
   // By halving: such a part hardly turns. Where it does, another point is farther away.
-  [[nodiscard]] Xy<double> nearest_of(const Gap& gap, const Xy<double>& p) const {
+  [[nodiscard]] Curve_place nearest_of(const Gap& gap, const Xy<double>& p) const {
     const Bezier_curve_2<double>& bezier = piece(gap.from);
     double low = gap.from.t, high = gap.to;
     constexpr int STEPS = 60;
@@ -375,7 +430,7 @@ class Axis_checker {
       const Checked_point q = point_at(bezier, t);
       (CGAL::to_double(dot(checked(p) - q.point, q.derivative)) > 0 ? low : high) = t;
     }
-    return point({gap.from.curve, gap.from.bezier, low});
+    return {gap.from.curve, gap.from.bezier, low};
   }
   // A polynomial of twice the degree that is small in so many places is small between them.
   [[nodiscard]] bool is_touched_arc(const Bezier_curve_2<double>& bezier, double t0, double t1) const {
@@ -427,6 +482,7 @@ class Axis_checker {
   Axis_verification result_;
   std::vector<Line> cells_;
   std::vector<Sector> sectors_;
+  std::vector<std::vector<Range>> tiled_[2];         // of each curve, to the left and to the right
   std::vector<Gap> gaps_;                            // of the boundary, between feet
   std::map<std::size_t, std::size_t> touched_arcs_;  // of each curve
 };

@@ -20,7 +20,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,9 +90,10 @@ template <class NT> struct Homogeneous_piece {
 class Curves_in_boxes {
  public:
   explicit Curves_in_boxes(const Drawing_2<double>& drawing) {
-    for (const auto& curve : drawing.curves())
-      for (const auto& piece : curve.beziers) {
-        leaves_.push_back({Homogeneous_piece<double>(piece), {}});
+    for (std::uint32_t c = 0; c < drawing.curves().size(); ++c)
+      for (std::uint32_t b = 0; b < drawing.curves()[c].beziers.size(); ++b) {
+        const Bezier_curve_2<double>& piece = drawing.curves()[c].beziers[b];
+        leaves_.push_back({Homogeneous_piece<double>(piece), {}, c, b});
         for (const Xy<double>& p : piece.control_points()) {
           leaves_.back().box.add(p);
           size_ = (std::max)({size_, std::fabs(p.x), std::fabs(p.y)});
@@ -103,6 +106,12 @@ class Curves_in_boxes {
   /// How far a curve is known to be in a disc; 0 where none is, and the radius where that was not told.
   [[nodiscard]] double depth_in(const Xy<double>& center, double radius) const {
     return radius > 0 && !leaves_.empty() ? depth_in({center, radius, 16 * HALF_ULP * size_}, 0) : 0;
+  }
+  /// On each piece that is within a distance of a point, the place that is nearest.
+  [[nodiscard]] std::vector<Curve_place> places_near(const Xy<double>& p, double room) const {
+    std::vector<Curve_place> result;
+    if (!leaves_.empty()) add_places_near(p, room, 0, result);
+    return result;
   }
   /// How often curves run counterclockwise round a point, counted on the ray to the right. \pre it is on none
   [[nodiscard]] int winding_number(const Xy<double>& q) const {
@@ -125,6 +134,7 @@ class Curves_in_boxes {
   struct Leaf {
     Homogeneous_piece<double> piece;
     Extent box;
+    std::uint32_t curve, bezier;
   };
   struct Node {
     Extent box;
@@ -181,6 +191,46 @@ class Curves_in_boxes {
     const auto [left, right] = halves(piece);
     const double depth = depth_of(left, disc, halvings + 1);
     return depth > 0 ? depth : depth_of(right, disc, halvings + 1);
+  }
+  void add_places_near(const Xy<double>& p, double room, std::size_t at, std::vector<Curve_place>& result) const {
+    const Node& node = nodes_[at];
+    if (node.box.distance(p) > room) return;
+    if (node.second != 0) {
+      add_places_near(p, room, at + 1, result);
+      add_places_near(p, room, node.second, result);
+      return;
+    }
+    for (std::size_t i = node.begin; i < node.end; ++i) {
+      Nearest found{room, std::nullopt};
+      find_nearest(leaves_[i].piece, p, 0, 1, found);
+      if (found.t) result.push_back({leaves_[i].curve, leaves_[i].bezier, *found.t});
+    }
+  }
+  /// A place that is nearest to a point.
+  struct Nearest {
+    double distance;
+    std::optional<double> t;
+  };
+  static Extent box_of(const Homogeneous_piece<double>& piece) {
+    Extent box;
+    for (std::size_t i = 0; i < piece.points.size(); ++i) box.add(piece.euclidean(i));
+    return box;
+  }
+  static void find_nearest(const Homogeneous_piece<double>& piece, const Xy<double>& p, double low, double high,
+                           Nearest& found) {
+    constexpr double SHORT = 0x1p-50;  // of a parameter
+    const double away = box_of(piece).distance(p);
+    if (found.t ? away >= found.distance : away > found.distance) return;
+    const double t = low + 0.5 * (high - low);
+    if (high - low <= SHORT) {
+      found = {away, t};
+      return;
+    }
+    const auto [left, right] = halves(piece);
+    const bool is_left_first = box_of(left).distance(p) <= box_of(right).distance(p);
+    if (is_left_first) find_nearest(left, p, low, t, found);
+    find_nearest(right, p, t, high, found);
+    if (!is_left_first) find_nearest(left, p, low, t, found);
   }
   [[nodiscard]] static int crossings(const Homogeneous_piece<double>& piece, const Xy<double>& q, int halvings) {
     bool is_above = true, is_below = true, is_left = true, is_right = true;

@@ -54,20 +54,22 @@ struct Axis_tile {
 }
 
 /// The part of the boundary between two feet.
+/// \param begin, end each foot as a place, on all pieces that have it
 /// \param room lengths below are nothing
 /// \return nothing where they are on no common piece
-[[nodiscard]] inline std::optional<Axis_tile> tile_between(const Drawing_2<double>& curves, const Curve_place& begin,
-                                                           const Curve_place& end, const Medial_axis_2::Sample& first,
+[[nodiscard]] inline std::optional<Axis_tile> tile_between(const Drawing_2<double>& curves,
+                                                           const std::vector<Curve_place>& begin,
+                                                           const std::vector<Curve_place>& end,
+                                                           const Medial_axis_2::Sample& first,
                                                            const Medial_axis_2::Sample& last, double room) {
   std::optional<Axis_tile> tile;
-  if (begin.curve != end.curve) return tile;
   // a closed curve of few pieces has two ways: discs between touch one of them
   double least = std::numeric_limits<double>::infinity();
   const Xy<double> center = 0.5 * (first.center + last.center);
   const double radius = 0.5 * (first.radius + last.radius);
-  for (const Curve_place& b : names_of(curves, begin, room))
-    for (const Curve_place& e : names_of(curves, end, room)) {
-      if (b.bezier != e.bezier) continue;
+  for (const Curve_place& b : begin)
+    for (const Curve_place& e : end) {
+      if (b.curve != e.curve || b.bezier != e.bezier) continue;
       const Bezier_curve_2<double>& piece = curves.curves()[b.curve].beziers[b.bezier];
       const Xy<double> middle = piece.point(b.t + 0.5 * (e.t - b.t)), way = middle - center,
                        from = piece.point(b.t) - middle, to = piece.point(e.t) - middle;
