@@ -226,6 +226,23 @@ TEST(BooleanOperations, FillEachOperandByItsOwnRule) {
   EXPECT_THROW((void)operands.outline(Boolean_operation::UNION, {NONZERO, NONZERO, NONZERO}), std::invalid_argument);
 }
 
+// Three squares of which each two have a common part, and all have one: what is in one or in three.
+TEST(BooleanOperations, TakeThreeOperands) {
+  const auto square = [](double x, double y) {
+    return drawing_of(polygon({{x, y}, {x + 4, y}, {x + 4, y + 4}, {x, y + 4}}));
+  };
+  const Operands operands({square(0, 0), square(1, 2), square(3, 1)});
+  // all 3 have 1 x 2, pairs 3 x 2, 1 x 3 and 2 x 3
+  const double all = 2, pairs = 6 + 3 + 6,
+               areas[] = {48 - pairs + all, all, 16 - 6 - 3 + all, 48 - 2 * pairs + 4 * all};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::mt19937 random(1);
+    expect_outline(operands, OPERATIONS[i], Fill_rule::NONZERO, random, 200, std::to_string(i));
+    const Outline_2 outline = operands.outline(OPERATIONS[i], Fill_rule::NONZERO);
+    EXPECT_EQ(area_of(ba::outline_drawing(operands.trees(), outline), 0), areas[i]) << i;
+  }
+}
+
 // Drawings without curves, and those whose curves all are points, fill nothing.
 TEST(BooleanOperations, TakeOperandsThatFillNothing) {
   Drawing points;

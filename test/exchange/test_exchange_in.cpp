@@ -101,6 +101,21 @@ TEST(ArcsOfKernel, RunAsTheKernelsDo) {
   }
 }
 
+TEST(ArcsOfKernel, AreTwoBeyondHalfACircleEitherWay) {
+  const Xy<double> center{1, 2}, from{6, 2}, to{1, 7};
+  for (const bool is_ccw : {true, false}) {
+    const Xy<double>&first = is_ccw ? to : from, &last = is_ccw ? from : to;  // three quarters
+    const auto arcs = arcs_on_circle(first, last, center, 25, is_ccw);
+    ASSERT_EQ(arcs.size(), 2U);
+    EXPECT_EQ(arcs[0].from, first);
+    EXPECT_EQ(arcs[0].to, arcs[1].from);
+    EXPECT_EQ(arcs[1].to, last);
+    for (const Arc_2& arc : arcs) EXPECT_NEAR(arc.bulge, (is_ccw ? 1 : -1) * std::tan(3 * std::atan(1.0) / 4), 1e-15);
+    EXPECT_NEAR(arcs[0].to.x, 1 - 5 * std::sqrt(0.5), 1e-14);
+    EXPECT_NEAR(arcs[0].to.y, 2 - 5 * std::sqrt(0.5), 1e-14);
+  }
+}
+
 TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
   Drawing_2<double> drawing;
   CGAL::Polygon_2<Linear_kernel> triangle;

@@ -17,6 +17,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace test_bounded_arithmetic {
@@ -284,6 +285,21 @@ TEST(MpfrInterval, TellsItsRelativeWidth) {
   }
   EXPECT_EQ((third - third).relative_width(), HUGE_VAL);  // it holds 0
   EXPECT_EQ((Mpfr_interval(1) / (third - third)).relative_width(), HUGE_VAL);
+}
+
+TEST(MpfrInterval, ComparesOnlyWhatIsApart) {
+  using CGAL::Bounding_arcs::Mpfr_interval;
+  const auto between = [](double low, double high) { return joined(Mpfr_interval(low), Mpfr_interval(high)); };
+  for (const auto& [a, b, is_less, is_known] : {std::tuple(between(1, 2), between(3, 4), true, true),
+                                                {between(3, 4), between(1, 2), false, true},
+                                                {between(2, 3), between(1, 2), false, true},
+                                                {between(1, 2), between(2, 3), false, false},
+                                                {between(2, 4), between(1, 3), false, false},
+                                                {between(1, 4), between(2, 3), false, false}}) {
+    const CGAL::Uncertain<bool> found = a < b;
+    EXPECT_EQ(found.is_certain(), is_known) << a.lower() << ' ' << b.lower();
+    if (is_known) EXPECT_EQ(found.make_certain(), is_less) << a.lower() << ' ' << b.lower();
+  }
 }
 
 }  // namespace

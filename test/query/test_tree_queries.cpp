@@ -113,17 +113,18 @@ void expect_same_segments(const ba::Segment_hierarchy& a, const ba::Segment_hier
 void expect_same_segments(const ba::Bounding_arc_tree_2& tree, const ba::Bounding_arc_tree_2& other) {
   expect_same_segments(tree.in_unit(), other.in_unit());
 }
+// Control points an ulp from an end: what doubles tell of the direction there is another one.
+const Bezier WITH_HIDDEN_TIP({{1, 1}, {1 + 0x1p-52, 1}, {3, 4}, {5, 1}});
+
 // Trees as one forest are what the tree of all their curves is.
 TEST(TreeQueries, AreNumberedThroughInAForest) {
   std::mt19937 random(9);
-  // control points an ulp from an end: what doubles tell of the direction there is another one
-  const Bezier hidden({{1, 1}, {1 + 0x1p-52, 1}, {3, 4}, {5, 1}});
   for (int i = 0; i < cases(40); ++i) {
     Drawing all;
     std::vector<std::shared_ptr<const ba::Segment_hierarchy>> members;
     for (int k = 0; k < 3; ++k) {
       Drawing drawing = random_drawing(random);
-      if (random() % 2 == 0) drawing.add(hidden);
+      if (random() % 2 == 0) drawing.add(WITH_HIDDEN_TIP);
       if (random() % 4 == 0) drawing.add(Bezier({{2, 2}, {2, 2}}));
       if (random() % 8 == 0) drawing = Drawing();
       all.add(drawing);
@@ -232,6 +233,7 @@ TEST(TreeQueries, SeeCurvesThatWereReplaced) {
     SCOPED_TRACE(i);
     Drawing drawing = random_drawing(random), all = drawing;
     for (const auto& curve : random_drawing(random).curves()) all.add(curve.beziers);
+    if (i % 4 == 0) all.add(WITH_HIDDEN_TIP);
     Filtered_tree tree(all);
     for (int time = 0; time < 4; ++time) {
       const Filtered_tree before = tree;
