@@ -201,6 +201,10 @@ TEST(VerifyRegion, HoldsSliversPastAVertexWithoutSlack) {
         EXPECT_EQ(proof.containment, Containment::PROVEN_AS_SLIVER) << t0 << ' ' << t1;
         EXPECT_EQ(proof.slack, 0) << t0 << ' ' << t1;
       }
+      // that region is no thinner than the piece's own, which tells nothing where less is asked
+      for (const Region_proof& proof :
+           {verify_region<Spiral_fat_arc>(spiral, t0, t1, 1e-9), verify_region<Bilens>(spiral, t0, t1, 1e-9)})
+        EXPECT_FALSE(proof.holds() && proof.slack == 0) << t0 << ' ' << t1;
     }
 }
 
