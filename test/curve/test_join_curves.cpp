@@ -204,6 +204,17 @@ TEST(JoinCurves, TwoCurvesOneUponTheOtherMakeNoLoop) {
   EXPECT_EQ(lens.drawing.curves().size(), 1u);
 }
 
+TEST(JoinCurves, LeavesApartLinesWithAShortOneBetween) {
+  for (const double gap : {0.0, 0.1}) {
+    const auto joined = join_curves(
+        drawing_of({segment(0, 0, 10, 0), segment(10 + gap, 0, 10.6, 0), segment(10.6 + gap, 0, 20, 0)}), 1, {0, 0, 0});
+    const bool is_clear = gap == 0;  // ends that are one are joined first
+    EXPECT_EQ(joined.drawing.curves().size(), is_clear ? 1u : 3u);
+    EXPECT_EQ(joined.crowded.empty(), is_clear);
+    EXPECT_EQ(joined.moved, 0);
+  }
+}
+
 TEST(JoinCurves, ACurveShorterThanEpsIsJoinedToAnother) {
   const auto joined = join_curves(drawing_of({segment(0, 0, 0.005, 0), segment(0.012, 0, 4, 0)}), 0.01);
   EXPECT_EQ(joined.drawing.curves().size(), 1u) << "its own other end is no third one";

@@ -187,6 +187,30 @@ TEST(MedialAxis, PrunesWhatSticksOutLittle) {
   EXPECT_EQ(ba::pruned(axis, 100).edges.size(), 1U);
 }
 
+// What goes sticks out by less of the disc where it began, though it went branch by branch.
+TEST(MedialAxis, PrunesNothingThatSticksOutByMore) {
+  // a bar with a skewed bump: of its two corners one goes first, and is farther from the bar
+  const Drawing drawing =
+      drawing_of(polygon({{0, 0}, {20, 0}, {20, 4}, {11.5, 4}, {11.861, 5.135}, {10.532, 5.861}, {8.5, 4}, {0, 4}}));
+  const Medial_axis_2 axis = axis_of(drawing);
+  for (double least = 0.1; least < 3; least += 0.1) {
+    const Medial_axis_2 less = ba::pruned(axis, least);
+    const auto is_left = [&](const ba::Medial_axis_2::Vertex& v) {
+      return std::any_of(less.edges.begin(), less.edges.end(), [&](const auto& e) {
+        return std::any_of(e.samples.begin(), e.samples.end(), [&](const auto& s) { return s.center == v.center; });
+      });
+    };
+    for (const auto& v : axis.vertices) {
+      double out = HUGE_VAL;
+      for (const auto& base : axis.vertices)
+        if (is_left(base))
+          out = (std::min)(out,
+                           std::hypot(v.center.x - base.center.x, v.center.y - base.center.y) + v.radius - base.radius);
+      EXPECT_LT(out, least) << v.center.x << ' ' << v.center.y;
+    }
+  }
+}
+
 TEST(MaximalDisc, TouchesWhatIsAcross) {
   const ba::Bounding_arc_tree_2 index(drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}})));
   const ba::Maximal_discs_2 discs(index);

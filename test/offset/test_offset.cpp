@@ -372,6 +372,25 @@ TEST(Offset, KnowsWhereItComesFrom) {
     }
 }
 
+// What doubles do not resolve of the first of two offsets is told of both.
+TEST(Offset, OfAnOffsetTellsWhatTheFirstOneTold) {
+  const Point corners[] = {{1000, 0}, {0, 1000}, {-1000, 0}, {0, -1000}, {1000, 0}};
+  constexpr double HANDLE = 0.55;
+  std::vector<Bezier> round;
+  for (int i = 0; i < 4; ++i) {
+    const Point &p = corners[i], &q = corners[i + 1];
+    round.push_back(Bezier({p, p + HANDLE * q, q + HANDLE * p, q}));
+  }
+  const ba::Bounding_arc_tree_2 tree(drawing_of(round));
+  int first = 0;
+  for (double eps = 1e-6; eps > 1e-12; eps /= 4) {
+    const ba::Offset_twice twice = ba::offset_twice(tree, -10, 10, eps);
+    EXPECT_GE(twice.second.status, twice.first.status) << eps;
+    first += twice.first.status == ba::Offset::Status::COMPLETE ? 0 : 1;
+  }
+  EXPECT_GT(first, 0);
+}
+
 TEST(Offset, RefusesWhatIsNoNumber) {
   const Drawing square = rectangle(1, 1);
   EXPECT_THROW((void)offset_curves(square, 1, within(0)), std::invalid_argument);

@@ -295,6 +295,28 @@ TEST(SpiralParameters, CutsARoundedCuspWithoutSlivers) {
   }
 }
 
+// Cubics with a cusp, whose control points are rounded: the speed vanishes but for rounding, at no cut in most of them.
+TEST(SpiralParameters, TellsOfTipsThatRoundingHides) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(-1, 1), inside(0.1, 0.9);
+  const auto point = [&] {
+    const double x = unit(random);
+    return Xy<double>{x, unit(random)};
+  };
+  int hidden = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double t = inside(random);
+    // C'(s) = 3 (t - s) ((1 - s) a + s c): what is between control points
+    const Xy<double> a = point(), c = point(), start = 3.0 * point(), first = start + t * a,
+                     second = first + 0.5 * (t * c - (1 - t) * a), end = second - (1 - t) * c;
+    const Bezier_curve_2<double> curve({start, first, second, end});
+    hidden += spiral_parameters(curve).has_hidden_tip ? 1 : 0;
+    const Bezier_curve_2<double> smooth({start, first, second + Xy<double>{0.01, 0.01}, end});
+    EXPECT_FALSE(spiral_parameters(smooth).has_hidden_tip) << i;
+  }
+  EXPECT_GT(hidden, 100);
+}
+
 TEST(SpiralParameters, AgreesWithSturmSequencesOnRandomCurves) {
   std::mt19937 engine(20260101);
   for (int round = 0; round < ROUNDS; ++round) {
