@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -307,7 +308,7 @@ class Axis_checker {
     return "curve " + std::to_string(p.curve) + ", piece " + std::to_string(p.bezier) + ", t " + std::to_string(p.t);
   }
 
-  // Each side of a curve is tiled once where a region is, and else not at all.
+  // Each side of a curve is tiled once where a region is, and else not at all. check_side() sorts its ranges.
   struct Range {
     std::size_t bezier;
     double low, high;
@@ -385,7 +386,10 @@ class Axis_checker {
         return r.bezier == q.bezier &&
                distance(point({q.curve, q.bezier, std::clamp(q.t, r.low, r.high)}), p) <= 2 * room_;
       };
-      if (std::any_of(ranges.begin(), ranges.end(), holds)) return true;
+      const auto next = std::upper_bound(ranges.begin(), ranges.end(), q, [](const Curve_place& a, const Range& r) {
+        return a.bezier != r.bezier ? a.bezier < r.bezier : a.t < r.low;
+      });
+      if ((next != ranges.end() && holds(*next)) || (next != ranges.begin() && holds(*std::prev(next)))) return true;
     }
     return false;
   }
@@ -476,7 +480,7 @@ class Axis_checker {
   const Medial_axis_2& axis_;
   const Axis_verification::Options& options_;
   std::vector<Curve_sides> sides_;
-  Curves_in_boxes boxes_;                  // of what discs may touch
+  Curves_in_boxes boxes_;                  // of what discs may touch; in a frame that is all, as they are numbered
   static constexpr double MOST = 0x1p-40;  // of the size
   double size_, moved_, room_;             // lengths below the latter are nothing
   Axis_verification result_;
