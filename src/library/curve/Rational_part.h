@@ -22,6 +22,7 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include "../polynomial/Gauss_rule.h"
+#include "green.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
@@ -36,17 +37,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// An area with its first moments, between bounds.
-struct Bounded_moments {
-  using Number = CGAL::Interval_nt<false>;
-  Number area{0}, x{0}, y{0};
-
-  Bounded_moments& operator+=(const Bounded_moments& m) {
-    area += m.area;
-    x += m.x;
-    y += m.y;
-    return *this;
-  }
-};
+using Bounded_moments = Enclosed_moments<CGAL::Interval_nt<false>>;
 
 /// A part of a rational curve from one parameter to another, which may be the smaller one.
 class Rational_part {
@@ -98,7 +89,7 @@ class Rational_part {
   }
 
  private:
-  using Number = Bounded_moments::Number;
+  using Number = CGAL::Interval_nt<false>;
   using Vector = Xy<Number>;
   struct Homogeneous {
     Vector n;

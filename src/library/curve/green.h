@@ -17,16 +17,17 @@
 namespace CGAL::Bounding_arcs {
 
 /// What a curve encloses: the area, and the first moments in x and y.
-struct Exact_moments {
-  Exact_rational area{0}, x{0}, y{0};
+template <class NT> struct Enclosed_moments {
+  NT area{0}, x{0}, y{0};
 
-  Exact_moments& operator+=(const Exact_moments& m) {
+  Enclosed_moments& operator+=(const Enclosed_moments& m) {
     area += m.area;
     x += m.x;
     y += m.y;
     return *this;
   }
 };
+using Exact_moments = Enclosed_moments<Exact_rational>;
 
 /// Over [0, 1]: the mean of the coefficients.
 [[nodiscard]] inline Exact_rational integral(const Exact_polynomial& p) {

@@ -10,7 +10,8 @@
 // its double, straight to that of the next part, along this back to the place. With w the width of a bracket and D a
 // bound of |C'|, its length is at most 2 (w1 D1 + w2 D2), and the area within a closed curve of length L, each part
 // counted as often as it is run round, is at most L^2 / (4 pi) (Banchoff and Pohl 1971): less than a third of the
-// square of the sum in brackets.
+// square of the sum in brackets. A rational part begins and ends at rounded points, and its chord has what is between
+// these and the curve: by so much the way is longer, which counts as w D does.
 
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_BOUNDARY_SUM_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_BOUNDARY_SUM_H
