@@ -104,7 +104,8 @@ Progress_line::~Progress_line() {
 }
 
 std::string below_resolution(double eps, double reached) {
-  return "eps " + number(eps) + " is below what its coordinates resolve; " + short_number(reached) + " was reached";
+  return "eps " + number(eps) + " is below what its coordinates and weights resolve; " + short_number(reached) +
+         " was reached";
 }
 
 std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }

@@ -298,7 +298,9 @@ TEST(MpfrInterval, ComparesOnlyWhatIsApart) {
                                                 {between(1, 4), between(2, 3), false, false}}) {
     const CGAL::Uncertain<bool> found = a < b;
     EXPECT_EQ(found.is_certain(), is_known) << a.lower() << ' ' << b.lower();
-    if (is_known) EXPECT_EQ(found.make_certain(), is_less) << a.lower() << ' ' << b.lower();
+    if (is_known) {
+      EXPECT_EQ(found.make_certain(), is_less) << a.lower() << ' ' << b.lower();
+    }
   }
 }
 

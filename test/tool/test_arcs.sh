@@ -60,12 +60,17 @@ rm picture.svg
 
 run arcs --eps 1e-17 --format json "$curve" -o out.json
 expect_status 1
-expect_line 'bounding_arcs: *d_rabbit.json: curve "d_rabbit": eps 1e-17 is below what its coordinates resolve*'
+expect_line 'bounding_arcs: *d_rabbit.json: curve "d_rabbit": eps 1e-17 is below what its coordinates and*'
 expect_files
 run arcs --eps 1e-8 --max-arcs 10 "$curve" -o out.json
 expect_status 1
 expect_line '*eps 1e-08 needs more than 10 arcs*'
 expect_files
+
+# A segment is one arc, whatever its weights.
+echo '{"type":"bezier","degree":1,"control_points":[[0,0],[1,0]],"weights":[1,1e6]}' > weighted.json
+run arcs --eps 1e-12 --format csv weighted.json
+expect_status 0
 
 # What is a circle is two halves of it, however many pieces the file has; so are arcs of one circle.
 printf '<svg xmlns="http://www.w3.org/2000/svg"><circle id="c" r="5"/>%s</svg>' \

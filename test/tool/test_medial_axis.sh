@@ -101,7 +101,7 @@ expect_status 1
 expect_line "*line.json: curve \"line\": expected a closed curve*"
 run medial-axis oblong.json --eps 1e-17
 expect_status 1
-expect_line '*oblong.json: medial-axis: eps 1e-17 is below what its coordinates resolve*'
+expect_line '*oblong.json: medial-axis: eps 1e-17 is below what its coordinates and weights resolve*'
 # Two curves cross some 1e-12 beside their joint, where one begins with a handle of 1e-6: what they enclose there is
 # nothing.
 cat > tip.svg << 'END'

@@ -146,7 +146,7 @@ expect_status 1
 expect_line '*no.json*'
 run offset "$curve" --distance 0.1 --eps 1e-17
 expect_status 1
-expect_line '*d_rabbit.json: offset: eps 1e-17 is below what its coordinates resolve*'
+expect_line '*d_rabbit.json: offset: eps 1e-17 is below what its coordinates and weights resolve*'
 
 rm square.json corner.json
 finish

@@ -37,6 +37,18 @@ finds END '0,/"from":[0-9]*,/s//"from":3,/'
 finds BOUND 's/"bound":[0-9.e-]*/"bound":1e-9/'
 finds FORM 's/\[\[0,[0-9]*,/[[7,0,/'
 
+# Half circles of four decimals: many tiles beside their ends are shorter than what counts as nothing.
+printf '%s\n' 0 SECTION 2 ENTITIES 0 LWPOLYLINE 70 1 10 -0.4696 20 -0.3966 10 -3.7456 20 -13.2961 42 -1 \
+  10 -5.7596 20 -12.7846 10 -2.4836 20 0.1149 42 -1 0 ENDSEC 0 EOF > slot.dxf
+# All root arcs of a gear are on one circle: feet of its disc are anywhere on them.
+cp "$root/test/data/axis/gear_of_root_arcs.dxf" gear.dxf
+for name in slot gear; do
+  run medial-axis $name.dxf --eps 0.01 --feet -o of_arcs.json
+  expect_status 0
+  run verify-axis $name.dxf of_arcs.json
+  expect_status 0
+done
+
 # A vertex that is there twice is no crossing.
 path() { printf '{"type":"path","pieces":[%s]}' "$(printf ',{"control_points":[%s]}' "$@" | cut -c2-)"; }
 path '[0,0],[2,0]' '[2,0],[2,0]' '[2,0],[2,0]' '[2,0],[2,2]' '[2,2],[0,0]' '[0,0],[0,0]' > twice.json

@@ -78,6 +78,8 @@ inline constexpr double ABOVE_ROUNDING = 2;
 /// \param reach the sum of |coefficients| of the segment, in units of its table
 [[nodiscard]] inline double fitting_slack(const Bezier_spiral_2<double>& spiral, double reach) {
   constexpr double U = HALF_ULP, ROOT = 1.4142135623730951;
+  const double ends = 2 * ROOT * spiral.point_error() + 4 * U * spiral.coordinate_size();
+  if (spiral.is_straight()) return ends;  // no polynomial has a part in its chord
   const int degree = spiral.curve().degree();
   const double n = degree, h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit();
   double power = 1, lightest = 1, heaviest = 1;
@@ -90,7 +92,7 @@ inline constexpr double ABOVE_ROUNDING = 2;
   const double growth = spiral.curve().is_rational() ? 4 * n * weights * weights * power : power - 1;
   const double table = ROOT * (6 * n + 8) * U * growth * unit;
   const double shifts = (8 * n + 16) * weights * U * reach * unit;
-  return 2 * (ROOT * spiral.point_error() + table) + shifts + 4 * U * spiral.coordinate_size();
+  return ends + 2 * table + shifts;
 }
 
 /// Whether a biarc exceeds eps but hardly would with equal errors, which are near the geometric mean of these.

@@ -83,12 +83,18 @@ class Axis_graph {
   /// Adds vertices and edges to an axis.
   void write(Medial_axis_2& axis) && {
     const std::size_t count = joined_.size();
+    std::vector<std::size_t> groups;  // roots of discs that are one
     std::vector<bool> is_cut(count, true);
     for (const Axis_node& node : parts_.nodes) axis.vertices.push_back({node.center, node.radius, {}, {}});
     for (std::size_t i = 0; i < count; ++i) {
-      add_touches(parts_.nodes[i], axis.vertices[root(i)]);
+      Medial_axis_2::Vertex& vertex = axis.vertices[root(i)];
+      add_touches(parts_.nodes[i], vertex);
       if (parts_.nodes[i].kind != Axis_node_kind::CUT) is_cut[root(i)] = false;
+      if (root(i) != i) groups.push_back(root(i));
     }
+    std::sort(groups.begin(), groups.end());
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    for (const std::size_t i : groups) center(axis.vertices[i]);
     for (Medial_axis_2::Edge& e : edges_) {
       e.from = root(e.from), e.to = root(e.to);
       for (const bool is_last : {false, true}) {  // one point, whichever disc of a group the vertex took
@@ -142,6 +148,33 @@ class Axis_graph {
       });
       if (!is_known) vertex.touches.push_back(place);
     }
+  }
+
+  // A disc of close feet is off by far more than rounding at the far ones: that through three touches that are far
+  // apart is taken where it misses all touches by less.
+  void center(Medial_axis_2::Vertex& vertex) const {
+    constexpr std::size_t FEET = 3;
+    if (vertex.touches.size() < FEET) return;
+    std::vector<Xy<double>> points;
+    for (const Curve_place& p : vertex.touches) points.push_back(point_at(boundary_.curves(), p));
+    const auto farthest = [&](const auto& far) {
+      return *std::max_element(points.begin(), points.end(),
+                               [&](const Xy<double>& p, const Xy<double>& q) { return far(p) < far(q); });
+    };
+    const Xy<double> a = points.front(), b = farthest([&](const Xy<double>&p) { return euclidean_norm(p - a); }),
+                     c = farthest([&](const Xy<double>&p) { return std::fabs(cross(p - a, b - a)); }), u = b - a,
+                     v = c - a;
+    const double twice = 2 * cross(u, v);
+    if (twice == 0) return;
+    const Xy<double> way = (-1 / twice) * perp(dot(u, u) * v - dot(v, v) * u);
+    const auto miss = [&](const Xy<double>& at, double radius) {
+      double most = 0;
+      for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(p - at) - radius));
+      return most;
+    };
+    const Xy<double> at = a + way;
+    const double radius = euclidean_norm(way);
+    if (miss(at, radius) < miss(vertex.center, vertex.radius)) vertex.center = at, vertex.radius = radius;
   }
 
   const Axis_parts& parts_;

@@ -91,6 +91,10 @@ class Axis_path {
     const State stop = end({a_[i].element, a_[i].u1}, {b_[0].element, b_[0].u0}, 0);
     refine(last, stop, 0);
     push(stop);
+    put_first_in_order(1);
+    std::reverse(samples_.begin(), samples_.end());
+    put_first_in_order(-1);
+    std::reverse(samples_.begin(), samples_.end());
     return std::move(samples_);
   }
   /// Whether some discs could not be found.
@@ -109,6 +113,24 @@ class Axis_path {
     double slope = 0;  // of the radius along it
   };
 
+  // Where the first disc touches an arc of its own circle along its length, discs of cuts on that are the same but for
+  // rounding, and so are their feet: one that is behind its place keeps that of the disc before.
+  // \param forward 1 from the first disc on, -1 where samples are the other way round
+  void put_first_in_order(double forward) {
+    constexpr double ROUNDING = 64;  // times the resolution
+    for (std::size_t k = 1; k + 1 < samples_.size(); ++k) {
+      Axis_sample& s = samples_[k];
+      const double off = euclidean_norm(s.center - samples_[0].center) + std::fabs(s.radius - samples_[0].radius);
+      if (off > ROUNDING * boundary_.resolution()) return;
+      if (forward * way(arc_a_, samples_[k - 1].a, s.a) < 0) s.a = samples_[k - 1].a;
+      if (forward * way(arc_b_, samples_[k - 1].b, s.b) > 0) s.b = samples_[k - 1].b;
+    }
+  }
+  // Above 0 where the second place comes behind the first one on an arc.
+  [[nodiscard]] double way(std::uint32_t arc, const Boundary_place& p, const Boundary_place& q) const {
+    const std::size_t of_p = parts_.steps(parts_.arcs[arc], p), of_q = parts_.steps(parts_.arcs[arc], q);
+    return of_p == of_q ? q.u - p.u : (of_p < of_q ? 1 : -1);
+  }
   void push(const State& s) {
     constexpr std::size_t MANY = 64;  // of one part, and 64 times what a parabola as large as all would need
     if (samples_.size() > MANY * (1 + static_cast<std::size_t>(std::sqrt(boundary_.size() / eps_)))) has_failed_ = true;

@@ -109,11 +109,11 @@ class Axis_tiling {
   };
   void check_sides() {
     for (auto& side : tiled_) side.resize(of_.curves.curves().size());
-    for (const Axis_tile& t : tiles_) {
-      if (!t.is_point)
-        tiled(t.begin.curve, is_on_left(t))
-            .push_back({t.begin.bezier, (std::min)(t.begin.t, t.end.t), (std::max)(t.begin.t, t.end.t)});
-    }
+    short_.resize(of_.curves.curves().size());
+    for (const Axis_tile& t : tiles_)
+      (t.is_point ? short_[t.begin.curve] : tiled(t.begin.curve, is_on_left(t)))
+          .push_back({t.begin.bezier, (std::min)(t.begin.t, t.end.t), (std::max)(t.begin.t, t.end.t)});
+    for (std::vector<Range>& ranges : short_) sort(ranges);
     std::size_t rings = 0;
     for (std::size_t i = 0; i < of_.curves.curves().size(); ++i) {
       const auto [has_left, has_right] = of_.sides[i];
@@ -130,11 +130,14 @@ class Axis_tiling {
   }
   static bool is_on_left(const Axis_tile& t) { return t.begin.t < t.end.t; }
   [[nodiscard]] std::vector<Range>& tiled(std::size_t curve, bool is_left) { return tiled_[is_left ? 0 : 1][curve]; }
-  void check_side(std::size_t curve, bool is_left) {
-    std::vector<Range>& ranges = tiled(curve, is_left);
+  static void sort(std::vector<Range>& ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
       return a.bezier != b.bezier ? a.bezier < b.bezier : a.low < b.low;
     });
+  }
+  void check_side(std::size_t curve, bool is_left) {
+    std::vector<Range>& ranges = tiled(curve, is_left);
+    sort(ranges);
     std::size_t next = 0;
     for (std::size_t b = 0; b < of_.curves.curves()[curve].beziers.size(); ++b) {
       double t = 0;
@@ -156,7 +159,9 @@ class Axis_tiling {
       return Curve_place{static_cast<decltype(Curve_place::curve)>(curve),
                          static_cast<decltype(Curve_place::bezier)>(bezier), s};
     };
-    const double gap = distance(of_.point(at(t)), of_.point(at(next)));
+    const auto length = [&](double from) { return distance(of_.point(at(from)), of_.point(at(next))); };
+    double gap = length(t);
+    if (gap > of_.room && t < next) gap = length(t = behind_short_tiles(at(t), next));
     if (gap <= of_.room) {
       of_.result.gap = (std::max)(of_.result.gap, gap);
       return;
@@ -164,6 +169,14 @@ class Axis_tiling {
     if (next < t) of_.find(Axis_verification::Fault::TILING, text_of(at(t)), gap);
     else if (is_touched_arc(of_.piece(at(t)), t, next)) ++touched_arcs_[curve];
     else gaps_.push_back({at(t), next, gap, is_left});
+  }
+  // Where a gap begins when tiles too short to tell their side are counted, each of which begins where one ends.
+  [[nodiscard]] double behind_short_tiles(const Curve_place& from, double to) const {
+    double t = from.t;
+    for (const Range& r : short_[from.curve]) {
+      if (r.bezier == from.bezier && r.low <= t && r.high > t) t = (std::min)(r.high, to);
+    }
+    return t;
   }
   // Whether curves run about the same way at two places.
   [[nodiscard]] bool is_along(const Curve_place& p, const Curve_place& q) const {
@@ -247,6 +260,7 @@ class Axis_tiling {
   std::vector<Axis_tile> tiles_;
   std::vector<Sector> sectors_;
   std::vector<std::vector<Range>> tiled_[2];         // of each curve, to the left and to the right
+  std::vector<std::vector<Range>> short_;            // of each curve
   std::vector<Gap> gaps_;                            // of the boundary, between feet
   std::map<std::size_t, std::size_t> touched_arcs_;  // of each curve
 };
