@@ -71,6 +71,8 @@ expect_files
 echo '{"type":"bezier","degree":1,"control_points":[[0,0],[1,0]],"weights":[1,1e6]}' > weighted.json
 run arcs --eps 1e-12 --format csv weighted.json
 expect_status 0
+grep -q '^w[^,]*,0,0,1,0,[^,]*,0,0,1,0,0$' "$results/out" || fail "$command_line: not one segment"
+[ "$(wc -l < "$results/out")" -eq 2 ] || fail "$command_line: not one arc"
 
 # What is a circle is two halves of it, however many pieces the file has; so are arcs of one circle.
 printf '<svg xmlns="http://www.w3.org/2000/svg"><circle id="c" r="5"/>%s</svg>' \
