@@ -48,16 +48,20 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
     if (!combined<Filtered_tree>(a, a, nothing).outline.chains.empty())
       throw Fault("identity", "a drawing without itself is not empty");
     const Combined outer = combined<Filtered_tree>(a, b, without), inner = combined<Filtered_tree>(a, b, with),
-                   united = checked<Filtered_tree>(outer.rounded, inner.rounded, all, random, points);
-    const Checked_outline outlines[] = {
-        {a, b, without, outer}, {a, b, with, inner}, {outer.rounded, inner.rounded, all, united}, {a, a, all, own}};
-    const double eps = area_eps(a, b), moved = outlines[0].swept() + outlines[1].swept();
+                   united = checked<Filtered_tree>(outer.drawn.drawing, inner.drawn.drawing, all, random, points);
+    const Checked_outline outlines[] = {{a, b, without, outer},
+                                        {a, b, with, inner},
+                                        {outer.drawn.drawing, inner.drawn.drawing, all, united},
+                                        {a, a, all, own}};
+    const double eps = area_eps(a, b), moved = outlines[0].swept_by_drawing() + outlines[1].swept_by_drawing();
     require_same(sum(outlines[2].area(eps), {-moved, moved}), outlines[3].area(eps), "what is made of the parts");
-    const ba::Bounding_arc_tree_2 of_parts(united.rounded), of_all(a);
+    const ba::Bounding_arc_tree_2 of_parts(united.drawn.drawing), of_all(a);
+    const double error = (std::max)({outer.drawn.moved, inner.drawn.moved, united.drawn.moved});
     for (int i = 0; i < 12; ++i) {
       const Point q = outlines[3].random_point(random);
       ++points.asked;
-      if (std::any_of(std::begin(outlines), std::end(outlines), [&](const auto& o) { return o.is_near_rounded(q); })) {
+      if (std::any_of(std::begin(outlines), std::end(outlines),
+                      [&](const auto& o) { return o.is_near_rounded(q, error); })) {
         ++points.left_out;
         continue;
       }
@@ -102,7 +106,7 @@ TEST_P(NudgedDrawings, AreMadeOfTheirParts) {
     const Operation how = random_operation(random);
     require_identities(pair.a, pair.b, how, random, points);
     if (one_in(random, 2))
-      require_identities(combined<Filtered_tree>(pair.a, pair.b, how).rounded, pair.b, how, random, points);
+      require_identities(combined<Filtered_tree>(pair.a, pair.b, how).drawn.drawing, pair.b, how, random, points);
   });
   expect_most_asked(points);
 }
@@ -112,7 +116,7 @@ TEST_P(NudgedDrawings, CombineWithTheirOwnResults) {
   Asked_points points;
   expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
     const Operation first = random_operation(random), second = random_operation(random);
-    const Drawing result = combined<Filtered_tree>(pair.a, pair.b, first).rounded;
+    const Drawing result = combined<Filtered_tree>(pair.a, pair.b, first).drawn.drawing;
     const bool is_first = one_in(random, 3);
     static_cast<void>(
         checked<Filtered_tree>(is_first ? result : pair.a, is_first ? pair.a : result, second, random, points));
@@ -126,7 +130,7 @@ TEST_P(NudgedDrawings, StandTenOperations) {
     Drawing drawing = pair.a;
     for (int i = 0; i < 10; ++i) {
       const Drawing other = one_in(random, 3) ? pair.b : GetParam().pair(random).a;
-      drawing = checked<Filtered_tree>(drawing, other, random_operation(random), random, points).rounded;
+      drawing = checked<Filtered_tree>(drawing, other, random_operation(random), random, points).drawn.drawing;
     }
   });
   expect_most_asked(points);

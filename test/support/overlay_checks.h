@@ -67,19 +67,28 @@ class Checked_outline {
     check_orientations();
     check_vertices();
     check_crossings();
+    check_drawn(random, asked);
     for (int i = 0; i < 12; ++i) check_rounded(random_point(random), random, asked);
     for (int i = 0; i < 12; ++i) check_beside_vertex(random, asked);
     for (int i = 0; i < 6; ++i) check_beside_curve(random);
     for (int i = 0; i < 4; ++i) check_beside_part(random);
   }
   /// Whether a point is so near to a rounded curve that it may be on the wrong side.
-  [[nodiscard]] bool is_near_rounded(const Point& q) const {
-    return std::any_of(pieces_.begin(), pieces_.end(), [&](const Rounded_piece& p) { return p.is_near(q); });
+  /// \param error of the point
+  [[nodiscard]] bool is_near_rounded(const Point& q, double error = 0) const {
+    return std::any_of(pieces_.begin(), pieces_.end(), [&](const Rounded_piece& p) { return p.is_near(q, error); });
   }
   /// How much area is between the rounded curves and the exact ones, at most.
   [[nodiscard]] double swept() const {
     double sum = 0;
     for (const Rounded_piece& p : pieces_) sum += p.swept;
+    return sum;
+  }
+  /// The same for what is drawn without slivers: a curve that is moved by d passes over twice d times its length.
+  [[nodiscard]] double swept_by_drawing() const {
+    const double moved = made_.drawn.moved;
+    double sum = swept();
+    for (const Rounded_piece& p : pieces_) sum += 2 * moved * (p.swept / p.room + 2 * moved);
     return sum;
   }
   /// The area of the exact outline.
@@ -285,6 +294,25 @@ class Checked_outline {
       windings.push_back(w.number);
     }
     check_windings(windings, *inside, "rounded", at(q));
+  }
+  // Points that are farther from the outline than it was moved are on the same side of what is drawn.
+  void check_drawn(std::mt19937& random, Asked_points& asked) const {
+    const ba::Drawn_outline& drawn = made_.drawn;
+    if (!std::isfinite(drawn.moved)) throw Fault("drawn", "no bound");
+    if (drawn.drawing.curves().size() != drawn.outline.chains.size()) throw Fault("drawn", "not one curve a chain");
+    const ba::Bounding_arc_tree_2 tree(drawn.drawing);
+    for (int i = 0; i < 12; ++i) {
+      const Point q = random_point(random);
+      ++asked.asked;
+      if (is_near_rounded(q, drawn.moved)) {
+        ++asked.left_out;
+        continue;
+      }
+      const auto inside = is_inside(whole_.seen(whole_.point(q), random));
+      const auto w = ba::Point_location_2(tree).winding_number(q);
+      if (!inside || w.state != ba::Winding_number::State::DECIDED) continue;
+      if (w.number != (*inside ? 1 : 0)) throw Fault("drawn", (*inside ? "inside" : "outside") + at(q));
+    }
   }
   // From a thousandth of the size down to 64 ulp of it, beside a vertex of the outline or an end of a piece.
   void check_beside_vertex(std::mt19937& random, Asked_points& asked) const {

@@ -98,16 +98,16 @@ struct Outline_2 {
 struct Drawn_outline {
   /// How an outline becomes a drawing.
   struct Options {
-    /// Leaves out parts that doubles do not tell from a point, and chains of which nothing else is there. Such a part
-    /// has no direction for whoever reads the drawing, and another operation would cut it again. Leaves out chains,
-    /// too, that bound nothing when they are rounded, as they run along a line and back.
-    bool drops_tiny_parts = true;
+    /// Leaves out what is within rounding of nothing. A part may be within rounding of a point, or go back along the
+    /// part before it. A chain may go along another curve between two parts of one curve: then these are one part.
+    /// Else results that are combined again and again have more slivers each time. Rounding is what was bounded for
+    /// the parts in question, and 0 where no curve is cut.
+    bool drops_slivers = true;
   };
 
   Drawing_2<double> drawing;  ///< piece k of curve i is part k of chain i of `outline`
   Outline_2 outline;          ///< what is drawn: the outline without parts and chains that were left out
-  double moved = 0;  ///< no point of a chain that is drawn is farther from its curve, and none of the curve farther
-                     ///< from its chain; a chain that is left out is within that of one point
+  double moved = 0;  ///< points of the plane that are farther than that from the outline have the side that they had
 };
 
 /// Returns the boundary of what the closed curves of several trees fill together:

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of curve_distance.h.
+
+#include "curve_distance.h"
+#include "rounded_part.h"
+
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+namespace {
+
+/// The distance point by point, in parameters that run alike.
+///
+/// Weights times f^i for the control points i are those of the same curve in another parameter. Let weights of b be
+/// those of a times c f^i (1 + d_i) with |d_i| <= d. A control point's share of a point of b is then that of a times a
+/// factor from (1 - d) / (1 + d) to (1 + d) / (1 - d). Shares differ by 2 d / (1 - d) in sum, and move a point by that
+/// times the size of b.
+[[nodiscard]] double distance_of_control_points(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
+  constexpr double NONE = std::numeric_limits<double>::infinity();
+  if (a.degree() != b.degree()) return NONE;
+  const int n = a.degree();
+  double distance = 0;
+  for (std::size_t i = 0; i < a.control_points().size(); ++i)
+    distance = (std::max)(distance, stable_norm(a.control_points()[i] - b.control_points()[i]));
+  if (a.weights() == b.weights()) return distance * UP;
+  const auto ratio = [&](int i) { return b.weight(i) / a.weight(i); };
+  const double first = ratio(0), factor = std::pow(ratio(n) / first, 1.0 / n);
+  double uneven = (16 + 4 * n) * HALF_ULP;  // of quotients and powers
+  for (int i = 1; i <= n; ++i)
+    uneven = (std::max)(uneven, std::fabs(1 - ratio(i) / (first * std::pow(factor, i))) + (16 + 4 * n) * HALF_ULP);
+  if (!(uneven < 0.25)) return NONE;
+  return (distance + 2 * uneven / (1 - uneven) * farthest(b, b.control_points().front())) * UP;
+}
+
+/// Both curves go along a segment: a point of one has a foot on it, and the other crosses the line there.
+[[nodiscard]] double distance_by_segment(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
+  const Xy<double>&from = a.control_points().front(), &to = a.control_points().back();
+  const double of_ends =
+      (std::max)(stable_norm(from - b.control_points().front()), stable_norm(to - b.control_points().back()));
+  return (distance_from_segment(a, from, to) + distance_from_segment(b, from, to) + of_ends) * UP;
+}
+
+}  // namespace
+
+double distance_from_segment(const Bezier_curve_2<double>& curve, const Xy<double>& from, const Xy<double>& to) {
+  const Xy<double> way = to - from;
+  const double length = stable_norm(way);
+  double distance = 0;
+  for (const Xy<double>& p : curve.control_points()) {
+    const Xy<double> at = p - from;
+    double along = 0, beside = stable_norm(at);
+    if (length > 0) {
+      const double s = dot(at, way) / length;
+      along = (std::max)({0.0, -s, s - length});
+      beside = std::fabs(cross(at, way)) / length;
+    }
+    distance = (std::max)(distance, along + beside);
+  }
+  // three roundings of vectors, and products of unit vectors with them
+  return (distance + (length > 0 ? 8 * HALF_ULP * (farthest(curve, from) + length) : 0)) * UP;
+}
+
+double distance_bound(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
+  return (std::min)(distance_of_control_points(a, b), distance_by_segment(a, b));
+}
+
+double distance_bound(Bezier_curve_2<double> curve, const std::vector<Bezier_curve_2<double>>& chain, double most) {
+  double distance = 0;
+  const double of_cuts = chain.size() > 1 ? cutting_error(curve) : 0;
+  for (std::size_t i = 0; i + 1 < chain.size() && distance <= most; ++i) {
+    const Xy<double>& joint = chain[i].control_points().back();
+    const double t = parameter_near(curve, joint);
+    if (!(stable_norm(curve.point(t) - joint) <= most) || t == 0 || t == 1)
+      return std::numeric_limits<double>::infinity();
+    auto [head, tail] = curve.split(t);
+    distance = (std::max)(distance, distance_bound(head, chain[i]));
+    curve = std::move(tail);
+  }
+  if (distance <= most) distance = (std::max)(distance, distance_bound(curve, chain.back()));
+  return (distance + of_cuts) * UP;
+}
+
+double parameter_near(const Bezier_curve_2<double>& curve, const Xy<double>& p) {
+  constexpr int STEPS = 8;  // where curves nearly are one, the first step is near
+  const Xy<double> way = curve.control_points().back() - curve.control_points().front();
+  const double n = curve.degree(), whole = dot(way, way);
+  double t = whole > 0 ? std::clamp(dot(p - curve.control_points().front(), way) / whole, 0.0, 1.0) : 0.5;
+  for (int i = 0; i < STEPS; ++i) {
+    // the derivative is n times the last edge of the part before t, over t; or the first one of that behind it
+    const bool has_head = t > 0.5;
+    const auto [head, tail] = curve.split(t);
+    const Bezier_curve_2<double>& part = has_head ? head : tail.reversed();
+    const auto& points = part.control_points();
+    const int d = part.degree();
+    const double w = part.weight(d - 1) / part.weight(d);
+    const Xy<double> rate = (n * w / (has_head ? t : t - 1)) * (points.back() - points[points.size() - 2]);
+    const double square = dot(rate, rate);
+    if (!(square > 0)) break;
+    const double next = std::clamp(t + dot(p - points.back(), rate) / square, 0.0, 1.0);
+    const bool is_there = std::fabs(next - t) <= HALF_ULP * t;
+    t = next;
+    if (is_there) break;
+  }
+  return t;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
