@@ -240,6 +240,39 @@ TEST(DrawnShapes, BesideDiscsThatNearlyTouchAWholeArcAreComplete) {
   EXPECT_EQ(axis_of_case(drawn, 1e-4 * size_of(drawn.drawing)).status, ba::Medial_axis_2::Status::COMPLETE);
 }
 
+// Handles in their nodes: a derivative beside one is rounding alone, and one disc is that of a joint but for rounding.
+TEST(DrawnShapes, WithHandlesInTheirNodesAreWholeAndRight) {
+  for (const unsigned seed : {611U, 5282U}) {
+    std::mt19937 random(seed);
+    const Axis_case drawn = filled(random, pen_paths(random));
+    EXPECT_NO_THROW(told_of(drawn, [&] { check_case(drawn, random); })) << "seed " << seed;
+  }
+}
+
+// At (109.938, 362.521) a curve with endless curvature, a corner to the right and another such curve: the discs of the
+// corner and of the second curve are the same but for rounding, as far as they go.
+TEST(DrawnShapes, WithACornerBetweenTwoTipsAreWholeAndRight) {
+  const Point at{98.33334197578404, 362.9941488591844}, tip{109.938, 362.521}, right{196.625, 356.09447639970483},
+      top{99.02191623473229, 371.06030446400683};
+  Drawing drawing;
+  drawing.add({segment(right, top), segment(top, at),
+               Bezier({at, {105.35869259935717, 362.521}, {109.93799999999999, 362.521}, tip}),
+               Bezier({tip, tip, {149.1041524529537, 359.5996958878715}, right})});
+  const Point corners[] = {{33.444, 312.151},
+                           {35.321, 258.351},
+                           {17.484, 186.619},
+                           {182.625, 235.125},
+                           {98.625, 244.125},
+                           at,
+                           {57.85299595679822, 369.777441360719},
+                           {47.526, 360.571}};
+  std::vector<Bezier> other{Bezier({corners[7], corners[7], {18.424, 339.948}, corners[0]})};
+  for (std::size_t i = 0; i < 7; ++i) other.push_back(segment(corners[i], corners[i + 1]));
+  drawing.add(other);
+  std::mt19937 random(1);
+  EXPECT_NO_THROW(check_case({drawing, {ba::Fill_rule::EVEN_ODD}}, random));
+}
+
 // Three arcs of a file with six decimals, whose joints turn by some 1e-7: what is rounded off is told.
 TEST(DrawnShapes, OfFewDecimalsTellWhatIsRoundedOff) {
   const Point ends[] = {{10, 5}, {5.5, 7.598076}, {5.5, 2.401924}};

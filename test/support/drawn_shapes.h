@@ -291,6 +291,43 @@ inline Drawing with_decimals(std::mt19937& random) {
   return drawing_of(chain);
 }
 
+/// Paths of cubics as they are drawn with a pen, with three decimals: handles are in their nodes, along a line or
+/// anywhere, so that curves end with an endless curvature, and corners turn by little.
+inline Drawing pen_paths(std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto near = [](const Point& p) { return Point{std::round(p.x * 1000) / 1000, std::round(p.y * 1000) / 1000}; };
+  Drawing drawing;
+  for (int paths = whole(random, 1, 2); paths > 0; --paths) {
+    const Point center{40 * share(random), 40 * share(random)};
+    const int n = whole(random, 3, 8);
+    std::vector<Point> nodes, before, behind;
+    for (int i = 0; i < n; ++i) {
+      const double angle = 6.283185307179586 * (i + 0.8 * share(random)) / n, r = 20 * (0.3 + share(random));
+      nodes.push_back(near(center + r * Point{std::cos(angle), std::sin(angle)}));
+    }
+    for (int i = 0; i < n; ++i) {
+      const Point &q = nodes[i], way = nodes[(i + 1) % n] - nodes[(i + n - 1) % n];
+      const auto handle = [&](double sign) {
+        const int kind = whole(random, 0, 3);
+        if (kind < 2) return q;  // in its node
+        const double length = sign * 0.4 * share(random), turn = kind == 2 ? 0 : 0.3 * (share(random) - 0.5);
+        return near(q + length * Point{way.x - turn * way.y, way.y + turn * way.x});
+      };
+      before.push_back(handle(-1));
+      behind.push_back(handle(1));
+    }
+    std::vector<Bezier> chain;
+    for (int i = 0; i < n; ++i) {
+      const int k = (i + 1) % n;
+      if (behind[i] == nodes[i] && before[k] == nodes[k] && one_in(random, 2))
+        chain.push_back(segment(nodes[i], nodes[k]));
+      else chain.push_back(Bezier({nodes[i], behind[i], before[k], nodes[k]}));
+    }
+    drawing.add(std::move(chain));
+  }
+  return drawing;
+}
+
 /// A kind of drawings.
 struct Drawn_kind {
   const char* name;
@@ -324,6 +361,7 @@ inline constexpr Drawn_kind DRAWN_KINDS[] = {
     {"LooseLines", [](std::mt19937& random) { return in_frame(random, loose_lines(random)); }, 99},
     {"ArcsOfACircle", [](std::mt19937& random) { return in_frame(random, arcs_of_a_circle(random)); }, 99},
     {"Fillets", [](std::mt19937& random) { return filled(random, rounded_rectangle(random)); }, 99},
+    {"PenPaths", [](std::mt19937& random) { return filled(random, pen_paths(random)); }, 99},
     {"Decimals", [](std::mt19937& random) { return filled(random, with_decimals(random)); }, 60},
 };
 

@@ -49,9 +49,19 @@ Chain_drawer::Chain_drawer(const std::vector<const Bounding_arc_tree_2*>& trees)
   for (const Bounding_arc_tree_2* tree : trees) roundings_.push_back(tree->rounding());
 }
 
-void Chain_drawer::clear() {
+void Chain_drawer::start(const std::vector<Outline_2::Part>& chain) {
   parts_.clear();
   left_out_ = 0;
+  // an end that is that of a piece is exact for its neighbour, too, if no number was rounded there
+  const auto is_of = [&](const Outline_2::Part& neighbour, bool Exact_ends::*end) {
+    return roundings_[neighbour.operand] == 0 && given_ends(neighbour).*end;
+  };
+  for (std::size_t i = 0, n = chain.size(); i < n; ++i) {
+    Exact_ends exact = given_ends(chain[i]);
+    exact.start = exact.start || is_of(chain[(i + n - 1) % n], &Exact_ends::end);
+    exact.end = exact.end || is_of(chain[(i + 1) % n], &Exact_ends::start);
+    parts_.push_back(drawn(chain[i], exact));
+  }
 }
 
 double Chain_drawer::moved() const {
@@ -60,14 +70,27 @@ double Chain_drawer::moved() const {
   return moved;
 }
 
-Drawn_part Chain_drawer::drawn(const Outline_2::Part& part) const {
-  const Bezier_curve_2<double>& piece = trees_.at(part.operand)->drawing().curves()[part.curve].beziers[part.bezier];
-  const double error = (error_of_part(piece, part) + roundings_[part.operand]) * UP;
+const Bezier_curve_2<double>& Chain_drawer::piece_of(const Outline_2::Part& part) const {
+  return trees_.at(part.operand)->drawing().curves()[part.curve].beziers[part.bezier];
+}
+
+// The ends of a part that are those of its piece.
+Exact_ends Chain_drawer::given_ends(const Outline_2::Part& part) const {
+  const auto& points = piece_of(part).control_points();
+  const auto is_given = [&](const Bracket& t, const Xy<double>& p) {
+    return is_end_of_piece(t) && p == (t.lower == 0 ? points.front() : points.back());
+  };
+  return {is_given(part.from, part.start), is_given(part.to, part.end)};
+}
+
+Drawn_part Chain_drawer::drawn(const Outline_2::Part& part, const Exact_ends& exact) const {
+  const Bezier_curve_2<double>& piece = piece_of(part);
+  const double error = (error_of_part(piece, part, exact) + roundings_[part.operand]) * UP;
   return {part, curve_of_part(piece, part.from, part.to, part.is_reversed, part.start, part.end), error, error, 0};
 }
 
 void Chain_drawer::redraw(Drawn_part& drawn, const Outline_2::Part& part) const {
-  Drawn_part now = this->drawn(part);
+  Drawn_part now = this->drawn(part, given_ends(part));
   now.rounding = drawn.rounding;
   now.replaced = drawn.replaced;
   drawn = std::move(now);
@@ -146,7 +169,8 @@ bool Chain_drawer::goes_on() {
   double replaced = 0;
   if (from.lower != to.lower || from.upper != to.upper) {
     if (a.part.is_reversed ? to.lower > from.upper : from.lower > to.upper) return false;
-    const Drawn_part between = drawn(part_between(a.part, b.part));
+    const Outline_2::Part gap = part_between(a.part, b.part);
+    const Drawn_part between = drawn(gap, given_ends(gap));
     replaced = (farthest(between.curve, a.part.end) + between.error) * UP;
     if (!(replaced <= 2 * (a.rounding + b.rounding))) return false;
   }
@@ -201,9 +225,7 @@ bool Chain_drawer::goes_back() {
 bool Chain_drawer::comes_back() {
   if (parts_.size() < 3) return false;
   const Drawn_part& last = parts_.back();
-  const Bezier_curve_2<double>& piece =
-      trees_[last.part.operand]->drawing().curves()[last.part.curve].beziers[last.part.bezier];
-  const double longest = 2 * length_of_controls(piece);
+  const double longest = 2 * length_of_controls(piece_of(last.part));
   double length = 0, rounding = 0, replaced = 0;
   std::size_t first = parts_.size() - 2;
   for (; !are_of_one_piece(parts_[first].part, last.part); --first) {
@@ -216,7 +238,8 @@ bool Chain_drawer::comes_back() {
   if (first + 2 == parts_.size()) return false;
   const Outline_2::Part &from = parts_[first].part, &to = last.part;
   if (!(from.is_reversed ? to.from.upper < from.to.lower : from.to.upper < to.from.lower)) return false;
-  const Drawn_part between = drawn(part_between(from, to));
+  const Outline_2::Part along = part_between(from, to);
+  const Drawn_part between = drawn(along, given_ends(along));
   std::vector<Bezier_curve_2<double>> way;
   for (std::size_t i = first + 1; i + 1 < parts_.size(); ++i) way.push_back(parts_[i].curve);
   const double most = rounding + between.rounding, distance = distance_bound(between.curve, way, most);

@@ -15,6 +15,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_BOOLEAN_CHAIN_DRAWER_H
 #define BOUNDING_ARCS_LIBRARY_BOOLEAN_CHAIN_DRAWER_H
 
+#include "rounded_part.h"
+
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
@@ -38,10 +40,8 @@ class Chain_drawer {
  public:
   explicit Chain_drawer(const std::vector<const Bounding_arc_tree_2*>& trees);
 
-  /// Starts a new chain.
-  void clear();
-  /// Adds a part as it is.
-  void add(const Outline_2::Part& part) { parts_.push_back(drawn(part)); }
+  /// Draws a new chain as it is.
+  void start(const std::vector<Outline_2::Part>& chain);
   /// Leaves out what rounding does not tell from nothing, maybe all.
   /// \complexity linear in the number of parts for drawings as they are
   void drop_slivers();
@@ -50,7 +50,9 @@ class Chain_drawer {
   [[nodiscard]] double moved() const;
 
  private:
-  [[nodiscard]] Drawn_part drawn(const Outline_2::Part& part) const;
+  [[nodiscard]] const Bezier_curve_2<double>& piece_of(const Outline_2::Part& part) const;
+  [[nodiscard]] Exact_ends given_ends(const Outline_2::Part& part) const;
+  [[nodiscard]] Drawn_part drawn(const Outline_2::Part& part, const Exact_ends& exact) const;
   void redraw(Drawn_part& drawn, const Outline_2::Part& part) const;
   void start_at(Drawn_part& drawn, const Xy<double>& p) const;
   void put(Drawn_part part);

@@ -64,8 +64,7 @@ Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees
   std::vector<std::optional<std::size_t>> numbers;  // of the chains given among those drawn
   std::vector<std::optional<std::size_t>> parents;  // of the chains drawn among those given
   for (const Outline_2::Chain& given : outline.chains) {
-    drawer.clear();
-    for (const Outline_2::Part& part : given.parts) drawer.add(part);
+    drawer.start(given.parts);
     if (options.drops_slivers) drawer.drop_slivers();
     result.moved = (std::max)(result.moved, drawer.moved());
     numbers.push_back(std::nullopt);

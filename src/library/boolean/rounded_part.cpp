@@ -60,22 +60,20 @@ namespace {
 }  // namespace
 
 // At either end all of the part between the true end and the cut is compared with the end that is given; all else moves
-// no more than the cut's end and by rounding.
-double error_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part) {
-  const bool back = part.is_reversed;
-  const Bracket &low = back ? part.to : part.from, &high = back ? part.from : part.to;
-  const Xy<double>&start = back ? part.end : part.start, &end = back ? part.start : part.end;
-  if (!(low.middle() < high.middle()))  // a segment in its place
-    return (std::max)(farthest_of_range(piece, low.lower, high.upper, start),
-                      farthest_of_range(piece, low.lower, high.upper, end)) *
-           UP;
-  const auto at_end = [&](const Bracket& t, const Xy<double>& control_point, const Xy<double>& p) {
-    const bool is_whole = t.is_single() && (t.lower == 0 || t.lower == 1);
-    return is_whole ? stable_norm(control_point - p) * UP : farthest_of_range(piece, t.lower, t.upper, p);
+// no more than the cut's end and by rounding. A straight part is a segment between its ends.
+double error_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part, const Exact_ends& exact) {
+  const auto at_end = [&](const Bracket& t, bool is_exact, const Xy<double>& p) {
+    return is_exact ? 0 : farthest_of_range(piece, t.lower, t.upper, p);
   };
-  const double of_ends =
-      (std::max)(at_end(low, piece.control_points().front(), start), at_end(high, piece.control_points().back(), end));
-  return (of_ends + (low.middle() == 0 && high.middle() == 1 ? 0 : 2 * cutting_error(piece))) * UP;
+  const double of_ends = (std::max)(at_end(part.from, exact.start, part.start), at_end(part.to, exact.end, part.end));
+  const bool is_whole = is_end_of_piece(part.from) && is_end_of_piece(part.to);
+  if (is_whole || piece.degree() == 1) return of_ends * UP;
+  const Bracket &low = part.is_reversed ? part.to : part.from, &high = part.is_reversed ? part.from : part.to;
+  if (!(low.middle() < high.middle()))  // a segment in its place
+    return (std::max)(farthest_of_range(piece, low.lower, high.upper, part.start),
+                      farthest_of_range(piece, low.lower, high.upper, part.end)) *
+           UP;
+  return (of_ends + 2 * cutting_error(piece)) * UP;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

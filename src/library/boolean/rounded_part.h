@@ -24,8 +24,17 @@ constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
                                                    const Bracket& to, bool is_reversed, const Xy<double>& start,
                                                    const Xy<double>& end);
 
+/// Which ends of a part are those of given curves, bit for bit.
+struct Exact_ends {
+  bool start, end;
+};
+/// Whether an end of a part is one of its piece.
+[[nodiscard]] inline bool is_end_of_piece(const Bracket& t) { return t.is_single() && (t.lower == 0 || t.lower == 1); }
+
 /// How far the curve of a part is from the part itself, point by point.
-[[nodiscard]] double error_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part);
+/// \param exact ends of neighbours count, too
+[[nodiscard]] double error_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part,
+                                   const Exact_ends& exact);
 
 /// How far the control points and the curve of subcurve(), which are computed in doubles, are from the true ones of
 /// nearly the same parameters.

@@ -171,7 +171,8 @@ class Axis_boundary {
       return {e.point, {c * e.tangent.x + s * e.tangent.y, c * e.tangent.y - s * e.tangent.x}, 0, -1};
     }
     const double t = e.is_reversed ? -p.u : p.u, sign = e.is_reversed ? -1 : 1;
-    const Curve_jet jet = curves_.evaluator(curves_.bezier_of(e.segment))(t);
+    const Bezier_evaluator& curve = curves_.evaluator(curves_.bezier_of(e.segment));
+    const Curve_jet jet = curve(t);
     const auto end_tangent = [&](bool is_first) {
       const Spiral_piece_2 piece = curves_.piece(e.segment);
       return is_first ? piece.first.tangent : piece.last.tangent;
@@ -182,7 +183,10 @@ class Axis_boundary {
     }
     const double square = dot(jet.first, jet.first), speed = std::sqrt(square);
     const bool is_end = p.u == e.first || p.u == e.last;
-    const Xy<double> d = is_end ? end_tangent((p.u == e.first) != e.is_reversed) : (1 / speed) * jet.first;
+    constexpr double FAR = 0x1p10;  // from a cusp: elsewhere a derivative is many times what it errs by
+    const Xy<double> d = is_end ? end_tangent((p.u == e.first) != e.is_reversed)
+                         : speed > FAR * curve.errors_at(t, jet).first ? (1 / speed) * jet.first
+                                                                       : tangent_by_cusp(e.segment, t, jet.first);
     return {jet.point, sign * d, speed, square > 0 ? sign * cross(jet.first, jet.second) / square : 0};
   }
 
@@ -219,6 +223,17 @@ class Axis_boundary {
   }
 
  private:
+  // Beside a cusp a derivative may be rounding alone. The tangent is between those of the segment's ends.
+  [[nodiscard]] Xy<double> tangent_by_cusp(std::uint32_t segment, double t, const Xy<double>& derivative) const {
+    const Spiral_piece_2 piece = curves_.piece(segment);
+    const Xy<double>&first = piece.first.tangent, &last = piece.last.tangent;
+    const double turn = cross(first, last), length = euclidean_norm(derivative);
+    const bool is_between = length > 0 && turn * cross(first, derivative) >= 0 && turn * cross(derivative, last) >= 0 &&
+                            dot(derivative, first + last) > 0;
+    if (is_between) return (1 / length) * derivative;
+    return t - piece.first.t < piece.last.t - t ? first : last;
+  }
+
   const Segment_hierarchy& curves_;
   std::vector<Boundary_element> elements_;
   std::vector<Boundary_ring> rings_;

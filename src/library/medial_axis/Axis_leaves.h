@@ -330,12 +330,17 @@ class Leaf_finder {
     const auto is_below = [](const End& a, const End& b) { return a.value < b.value && !are_same(a, b); };
     return is_below(joint, near) && (behind.value <= joint.value || are_same(behind, joint)) && is_below(far, behind);
   }
+  // Seen from either end of what it touches: from one of them rounding may put the other, where a corner is, into it.
   [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
     const All_but others = others_of(leaf);
-    const Boundary_jet jet = boundary_(leaf.first);
-    Disc_search<All_but> search(boundary_, others, jet.point, jet.normal(), leaf.radius);
-    search.search();
-    return !search.is_found();
+    const auto is_empty_from = [&](const Boundary_place& p) {
+      const Boundary_jet jet = boundary_(p);
+      Disc_search<All_but> search(boundary_, others, jet.point, jet.normal(), leaf.radius);
+      search.search();
+      return !search.is_found();
+    };
+    const bool is_one = leaf.first.element == leaf.last.element && leaf.first.u == leaf.last.u;
+    return is_empty_from(leaf.first) || (!is_one && is_empty_from(leaf.last));
   }
 
   const Axis_boundary& boundary_;

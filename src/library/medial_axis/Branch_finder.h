@@ -151,6 +151,29 @@ class Branch_finder {
     const Axis_part& part = parts_.parts[part_];
     const auto n = static_cast<std::uint32_t>(part.arcs.size());
     own_ = longest(part);
+    if (auto branch = find_along()) return branch;
+    // an arc may leave its neighbour within rounding only: others tell the discs apart that touch both
+    constexpr std::uint32_t FEW = 4;
+    const std::uint32_t first = own_;
+    for (std::uint32_t i = 1; i <= (std::min)(FEW, n / 2); ++i)
+      for (const std::uint32_t own : {(first + i) % n, (first + n - i) % n}) {
+        own_ = own;
+        if (auto branch = find_along()) return branch;
+      }
+    return std::nullopt;
+  }
+
+ private:
+  // What the disc that ends the interval touches.
+  struct Side {
+    std::uint32_t position;
+    Boundary_place foot;
+    Touching_disc disc;
+  };
+
+  [[nodiscard]] std::optional<Axis_branch> find_along() const {
+    const Axis_part& part = parts_.parts[part_];
+    const auto n = static_cast<std::uint32_t>(part.arcs.size());
     const Boundary_arc& arc = parts_.arcs[part.arcs[own_]];
     const std::uint32_t after = (own_ + 1) % n, before = (own_ + n - 1) % n;
     double low = 0, high = parts_.length(arc);
@@ -181,14 +204,6 @@ class Branch_finder {
     }
     return collapsed(place(arc, low), from, to);
   }
-
- private:
-  // What the disc that ends the interval touches.
-  struct Side {
-    std::uint32_t position;
-    Boundary_place foot;
-    Touching_disc disc;
-  };
 
   // The arc that runs through most elements, or of those with one the longest.
   [[nodiscard]] std::uint32_t longest(const Axis_part& part) const {
