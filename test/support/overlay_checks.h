@@ -11,6 +11,8 @@
 #include "combined_drawings.h"
 #include "exact_windings.h"
 
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -298,7 +300,11 @@ class Checked_outline {
   // Points that are farther from the outline than it was moved are on the same side of what is drawn.
   void check_drawn(std::mt19937& random, Asked_points& asked) const {
     const ba::Drawn_outline& drawn = made_.drawn;
-    if (!std::isfinite(drawn.moved)) throw Fault("drawn", "no bound");
+    double size = 0;
+    for (const Drawing* drawing : operands_)
+      for (const auto& curve : drawing->curves())
+        for (const Bezier& b : curve.beziers) size = (std::max)(size, ba::coordinate_size(b));
+    if (!(drawn.moved <= 0x1p-36 * size)) throw Fault("drawn", "moved by more than rounding does");
     if (drawn.drawing.curves().size() != drawn.outline.chains.size()) throw Fault("drawn", "not one curve a chain");
     const ba::Bounding_arc_tree_2 tree(drawn.drawing);
     for (int i = 0; i < 12; ++i) {

@@ -225,6 +225,7 @@ bool Chain_drawer::goes_back() {
 bool Chain_drawer::comes_back() {
   if (parts_.size() < 3) return false;
   const Drawn_part& last = parts_.back();
+  if (is_end_of_piece(last.part.from)) return false;  // nothing of the piece is before
   const double longest = 2 * length_of_controls(piece_of(last.part));
   double length = 0, rounding = 0, replaced = 0;
   std::size_t first = parts_.size() - 2;

@@ -184,7 +184,7 @@ class Axis_boundary {
     const double square = dot(jet.first, jet.first), speed = std::sqrt(square);
     const bool is_end = p.u == e.first || p.u == e.last;
     constexpr double FAR = 0x1p10;  // from a cusp: elsewhere a derivative is many times what it errs by
-    const Xy<double> d = is_end ? end_tangent((p.u == e.first) != e.is_reversed)
+    const Xy<double> d = is_end                                        ? end_tangent((p.u == e.first) != e.is_reversed)
                          : speed > FAR * curve.errors_at(t, jet).first ? (1 / speed) * jet.first
                                                                        : tangent_by_cusp(e.segment, t, jet.first);
     return {jet.point, sign * d, speed, square > 0 ? sign * cross(jet.first, jet.second) / square : 0};
