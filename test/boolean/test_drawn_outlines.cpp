@@ -200,6 +200,23 @@ TEST(DrawnOutlines, LeaveOutChainsThatBoundNothing) {
   EXPECT_EQ(ba::drawn_outline(operands.trees(), outline, {false}).drawing.curves().size(), 3u);
 }
 
+// Curves that meet at a small angle, where the place of a crossing is known a million times worse than coordinates: a
+// crescent, and a loop that is 2e-8 wide and 5e-3 long.
+TEST(DrawnOutlines, KeepWhatIsMoreThanRounding) {
+  for (const double center : {0.0, 1.0, 100.0, 10000.0}) {
+    const double shift = 3.2e-5 * std::sqrt((std::max)(1.0, center));
+    const Operands circles({drawing_of(circle({center, center}, 1)), drawing_of(circle({center + shift, center}, 1))});
+    const Outline_2 outline = circles.outline(Boolean_operation::DIFFERENCE, Fill_rule::NONZERO);
+    const Drawn_outline found = ba::drawn_outline(circles.trees(), outline);
+    EXPECT_EQ(number_of_pieces(found.drawing), parts_of(outline, false).size()) << center;
+  }
+  const Point node{-47.993, 27.421}, start{-45.866, -56.369}, end{16.664, 97.823};
+  const Operands path({drawing_of(std::vector<Bezier>{Bezier({end, {-16.084, 110.22}, {-28.876, 74.56}, node}),
+                                                      Bezier({node, {-31.229, 68.76}, {-54.223, -43.001}, start}),
+                                                      segment(start, end)})});
+  EXPECT_EQ(drawn(path, Boolean_operation::UNION, Fill_rule::EVEN_ODD).drawing.curves().size(), 2u);
+}
+
 // Of nudged drawings many edges, and some chains, are shorter than doubles tell.
 TEST(DrawnOutlines, LeaveOutWhatDoublesDoNotTellFromAPoint) {
   std::size_t parts = 0, chains = 0;

@@ -86,7 +86,8 @@ Exact_ends Chain_drawer::given_ends(const Outline_2::Part& part) const {
 Drawn_part Chain_drawer::drawn(const Outline_2::Part& part, const Exact_ends& exact) const {
   const Bezier_curve_2<double>& piece = piece_of(part);
   const double error = (error_of_part(piece, part, exact) + roundings_[part.operand]) * UP;
-  return {part, curve_of_part(piece, part.from, part.to, part.is_reversed, part.start, part.end), error, error, 0};
+  const double rounding = (rounding_of_part(piece, part, exact) + roundings_[part.operand]) * UP;
+  return {part, curve_of_part(piece, part.from, part.to, part.is_reversed, part.start, part.end), error, rounding, 0};
 }
 
 void Chain_drawer::redraw(Drawn_part& drawn, const Outline_2::Part& part) const {

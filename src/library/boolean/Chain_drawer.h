@@ -10,7 +10,9 @@
 //   - of a point is left out,
 //   - of the part before it, which it goes back along, is left out with that,
 //   - of the curve that the chain left and comes back to is a part of that curve.
-// Rounding is here what a bound tells of the very parts that are compared; parts that are not cut are not rounded.
+// Rounding is here what a bound tells of cutting the very parts that are compared; parts that are not cut are not
+// rounded. How well the place of a crossing is known does not count: where curves meet at a small angle that is far
+// more, and what is there is real.
 
 #ifndef BOUNDING_ARCS_LIBRARY_BOOLEAN_CHAIN_DRAWER_H
 #define BOUNDING_ARCS_LIBRARY_BOOLEAN_CHAIN_DRAWER_H
@@ -32,7 +34,7 @@ struct Drawn_part {
   Outline_2::Part part;
   Bezier_curve_2<double> curve;
   double error = 0;     ///< how far the curve is from the part, point by point
-  double rounding = 0;  ///< the largest error of the parts that it stands for, as these were given
+  double rounding = 0;  ///< what of it rounding alone may make, of any of the given parts that it stands for
   double replaced = 0;  ///< how far the part is from parts in whose place it stands
 };
 

@@ -76,4 +76,10 @@ double error_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part&
   return (of_ends + 2 * cutting_error(piece)) * UP;
 }
 
+double rounding_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part, const Exact_ends& exact) {
+  const bool is_whole = is_end_of_piece(part.from) && is_end_of_piece(part.to);
+  const bool is_given = exact.start && exact.end && (is_whole || piece.degree() == 1);
+  return is_given ? 0 : 2 * cutting_error(piece) * UP;
+}
+
 }  // namespace CGAL::Bounding_arcs::internal

@@ -40,6 +40,11 @@ struct Exact_ends {
 /// nearly the same parameters.
 [[nodiscard]] double cutting_error(const Bezier_curve_2<double>& piece);
 
+/// How far rounding alone may put a part's curve from the part, however little is known of where that ends.
+/// \param exact as of error_of_part
+[[nodiscard]] double rounding_of_part(const Bezier_curve_2<double>& piece, const Outline_2::Part& part,
+                                      const Exact_ends& exact);
+
 /// How far any point of a curve may be from a point, by its control points.
 [[nodiscard]] double farthest(const Bezier_curve_2<double>& curve, const Xy<double>& from);
 

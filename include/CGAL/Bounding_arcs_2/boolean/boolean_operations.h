@@ -100,13 +100,13 @@ struct Drawn_outline {
   struct Options {
     /// Leaves out what is within rounding of nothing. A part may be within rounding of a point, or go back along the
     /// part before it. A chain may go along another curve between two parts of one curve: then these are one part.
-    /// Else results that are combined again and again have more slivers each time. Rounding is what was bounded for
-    /// the parts in question, and 0 where no curve is cut.
+    /// Else results that are combined again and again have more slivers each time. Rounding is what cutting may
+    /// do to the parts in question, some hundred units in the last place, and 0 where no curve is cut.
     bool drops_slivers = true;
   };
 
   Drawing_2<double> drawing;  ///< piece k of curve i is part k of chain i of `outline`
-  Outline_2 outline;          ///< what is drawn: the outline without parts and chains that were left out
+  Outline_2 outline;          ///< what is drawn: without parts and chains that were left out, and with parts made one
   double moved = 0;  ///< points of the plane that are farther than that from the outline have the side that they had
 };
 
