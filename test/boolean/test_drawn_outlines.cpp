@@ -351,6 +351,22 @@ TEST(DrawnOutlines, DoNotGrowByTheirOwnSlivers) {
   EXPECT_GT(most, 2 * MANY) << "of those with slivers";
 }
 
+// All joints of a copy are beside those of what it was made of, so that ways along it go over joints.
+TEST(DrawnOutlines, DoNotGrowByCopiesOfThemselves) {
+  std::mt19937 of_lattice(1);
+  const Drawing lattice = nudged_lattice_drawing(of_lattice);
+  const Drawing starts[] = {drawing_of(polygon({{0.1, 0.2}, {1.3, 0.15}, {0.7, 1.1}})),
+                            drawing_of(circle({0.3, 0.4}, 1)), lattice};
+  for (const Drawing& start : starts) {
+    std::mt19937 random(1);
+    Drawing drawing = drawn(Operands({start}), Boolean_operation::UNION).drawing;
+    const std::size_t count = number_of_pieces(drawing);
+    for (int step = 0; step < 10; ++step)
+      drawing = drawn(Operands({drawing, nudged(drawing, random)}), Boolean_operation::UNION).drawing;
+    EXPECT_LE(number_of_pieces(drawing), 4 * count);  // a corner more now and then
+  }
+}
+
 TEST(DrawnOutlines, AreCombinedAgainAndAgain) {
   for (int i = 0; i < cases(8) && !HasFailure(); ++i) combine_ten_times(static_cast<unsigned>(i));
 }

@@ -18,8 +18,11 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
+[[nodiscard]] bool are_of_one_curve(const Outline_2::Part& a, const Outline_2::Part& b) {
+  return a.operand == b.operand && a.curve == b.curve && a.is_reversed == b.is_reversed;
+}
 [[nodiscard]] bool are_of_one_piece(const Outline_2::Part& a, const Outline_2::Part& b) {
-  return a.operand == b.operand && a.curve == b.curve && a.bezier == b.bezier && a.is_reversed == b.is_reversed;
+  return are_of_one_curve(a, b) && a.bezier == b.bezier;
 }
 /// What is between two parts of one piece, of which the second one is behind the first one.
 [[nodiscard]] Outline_2::Part part_between(const Outline_2::Part& a, const Outline_2::Part& b) {
@@ -222,31 +225,68 @@ bool Chain_drawer::goes_back() {
   return true;
 }
 
-// The last part is of a piece that the chain left, and went along. What it went is no longer than the piece.
+constexpr std::size_t MOST_PARTS = 8;  // that the chain goes along another curve, or else it is left there
+
+/// The parts of a curve between two of its parts: none if that are too many, or if the second one is not behind.
+std::vector<Outline_2::Part> Chain_drawer::parts_between(const Outline_2::Part& a, const Outline_2::Part& b) const {
+  const auto& beziers = trees_[a.operand]->drawing().curves()[a.curve].beziers;
+  const std::size_t n = beziers.size(), steps = (a.is_reversed ? a.bezier + n - b.bezier : b.bezier + n - a.bezier) % n;
+  if (steps > MOST_PARTS) return {};
+  if (steps == 0) {
+    const bool is_behind = a.is_reversed ? b.from.upper < a.to.lower : a.to.upper < b.from.lower;
+    return is_behind ? std::vector{part_between(a, b)} : std::vector<Outline_2::Part>{};
+  }
+  const double first = a.is_reversed ? 1 : 0, last = 1 - first;
+  std::vector<Outline_2::Part> parts;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    Outline_2::Part part = a;
+    part.bezier = static_cast<std::uint32_t>((a.is_reversed ? a.bezier + n - i : a.bezier + i) % n);
+    const auto& points = beziers[part.bezier].control_points();
+    part.from = i == 0 ? a.to : Bracket{first, first};
+    part.start = i == 0 ? a.end : (a.is_reversed ? points.back() : points.front());
+    part.to = i == steps ? b.from : Bracket{last, last};
+    part.end = i == steps ? b.start : (a.is_reversed ? points.front() : points.back());
+    const bool is_nothing = is_end_of_piece(part.from) && part.from.lower == part.to.lower && is_end_of_piece(part.to);
+    if (!is_nothing) parts.push_back(part);
+  }
+  return parts;
+}
+
+// The last part is of a curve that the chain left, and went along. The way that it went is replaced by that of the
+// curve.
 bool Chain_drawer::comes_back() {
   if (parts_.size() < 3) return false;
-  const Drawn_part& last = parts_.back();
-  if (is_end_of_piece(last.part.from)) return false;  // nothing of the piece is before
-  const double longest = 2 * length_of_controls(piece_of(last.part));
-  double length = 0, rounding = 0, replaced = 0;
+  double rounding = 0, replaced = 0;
+  std::vector<Bezier_curve_2<double>> way, along;
   std::size_t first = parts_.size() - 2;
-  for (; !are_of_one_piece(parts_[first].part, last.part); --first) {
-    const Drawn_part& d = parts_[first];
-    length += length_of_controls(d.curve);
-    rounding = (std::max)(rounding, d.rounding);
-    replaced = (std::max)(replaced, d.error + d.replaced);
-    if (first == 0 || length > longest) return false;
+  for (; !are_of_one_curve(parts_[first].part, parts_.back().part); --first) {
+    if (first == 0 || first + 2 + MOST_PARTS == parts_.size()) return false;
+    rounding = (std::max)(rounding, parts_[first].rounding);
+    replaced = (std::max)(replaced, parts_[first].error + parts_[first].replaced);
   }
   if (first + 2 == parts_.size()) return false;
-  const Outline_2::Part &from = parts_[first].part, &to = last.part;
-  if (!(from.is_reversed ? to.from.upper < from.to.lower : from.to.upper < to.from.lower)) return false;
-  const Outline_2::Part along = part_between(from, to);
-  const Drawn_part between = drawn(along, given_ends(along));
-  std::vector<Bezier_curve_2<double>> way;
+  std::vector<Drawn_part> between;
+  double error = 0;
+  for (const Outline_2::Part& part : parts_between(parts_[first].part, parts_.back().part)) {
+    between.push_back(drawn(part, given_ends(part)));
+    rounding = (std::max)(rounding, between.back().rounding);
+    error = (std::max)(error, between.back().error);
+    along.push_back(between.back().curve);
+  }
+  if (between.empty()) return false;
   for (std::size_t i = first + 1; i + 1 < parts_.size(); ++i) way.push_back(parts_[i].curve);
-  const double most = rounding + between.rounding, distance = distance_bound(between.curve, way, most);
+  const double most = 2 * rounding, distance = distance_bound(along, way, most);
   if (!(distance <= most)) return false;
-  join(first, (replaced + distance + between.error) * UP);
+  Drawn_part last = std::move(parts_.back());
+  parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(first) + 1, parts_.end());
+  for (Drawn_part& d : between) {
+    d.replaced = (replaced + distance + error) * UP;
+    start_at(d, parts_.back().part.end);
+    parts_.push_back(std::move(d));
+    static_cast<void>(goes_on());
+  }
+  start_at(last, parts_.back().part.end);
+  parts_.push_back(std::move(last));
   return true;
 }
 

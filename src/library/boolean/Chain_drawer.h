@@ -9,7 +9,7 @@
 // multiply. So a part that is within rounding
 //   - of a point is left out,
 //   - of the part before it, which it goes back along, is left out with that,
-//   - of the curve that the chain left and comes back to is a part of that curve.
+//   - of the curve that the chain left and comes back to is a part of that curve, as is a whole way of parts.
 // Rounding is here what a bound tells of cutting the very parts that are compared; parts that are not cut are not
 // rounded. How well the place of a crossing is known does not count: where curves meet at a small angle that is far
 // more, and what is there is real.
@@ -65,6 +65,7 @@ class Chain_drawer {
   [[nodiscard]] bool comes_back();
   [[nodiscard]] bool bounds_nothing();
   void join(std::size_t first, double replaced);
+  [[nodiscard]] std::vector<Outline_2::Part> parts_between(const Outline_2::Part& a, const Outline_2::Part& b) const;
 
   const std::vector<const Bounding_arc_tree_2*>& trees_;
   std::vector<double> roundings_;  // by tree

@@ -76,19 +76,37 @@ double distance_bound(const Bezier_curve_2<double>& a, const Bezier_curve_2<doub
   return (std::min)(distance_of_control_points(a, b), distance_by_segment(a, b));
 }
 
-double distance_bound(Bezier_curve_2<double> curve, const std::vector<Bezier_curve_2<double>>& chain, double most) {
-  double distance = 0;
-  const double of_cuts = chain.size() > 1 ? cutting_error(curve) : 0;
-  for (std::size_t i = 0; i + 1 < chain.size() && distance <= most; ++i) {
-    const Xy<double>& joint = chain[i].control_points().back();
-    const double t = parameter_near(curve, joint);
-    if (!(stable_norm(curve.point(t) - joint) <= most) || t == 0 || t == 1)
-      return std::numeric_limits<double>::infinity();
-    auto [head, tail] = curve.split(t);
-    distance = (std::max)(distance, distance_bound(head, chain[i]));
-    curve = std::move(tail);
+double distance_bound(const std::vector<Bezier_curve_2<double>>& a, const std::vector<Bezier_curve_2<double>>& b,
+                      double most) {
+  constexpr double NONE = std::numeric_limits<double>::infinity();
+  std::size_t i = 0, k = 0;
+  Bezier_curve_2<double> p = a.front(), q = b.front();  // what is left of a[i] and b[k]
+  double distance = 0, of_cuts = 0;
+  while (distance <= most) {
+    const bool is_p_last = i + 1 == a.size(), is_q_last = k + 1 == b.size();
+    const Xy<double>&p_end = p.control_points().back(), &q_end = q.control_points().back();
+    if (is_p_last == is_q_last && (is_p_last || stable_norm(p_end - q_end) <= most)) {
+      distance = (std::max)(distance, distance_bound(p, q));
+      if (is_p_last) break;
+      p = a[++i];
+      q = b[++k];
+      continue;
+    }
+    // cuts one where the other ends
+    const auto is_cut = [&](Bezier_curve_2<double>& whole, const Bezier_curve_2<double>& other) {
+      const Xy<double>& end = other.control_points().back();
+      const double t = parameter_near(whole, end);
+      if (t == 0 || t == 1 || !(stable_norm(whole.point(t) - end) <= most)) return false;
+      of_cuts = (std::max)(of_cuts, cutting_error(whole));
+      auto [head, tail] = whole.split(t);
+      distance = (std::max)(distance, distance_bound(head, other));
+      whole = std::move(tail);
+      return true;
+    };
+    if (!is_q_last && is_cut(p, q)) q = b[++k];
+    else if (!is_p_last && is_cut(q, p)) p = a[++i];
+    else return NONE;
   }
-  if (distance <= most) distance = (std::max)(distance, distance_bound(curve, chain.back()));
   return (distance + of_cuts) * UP;
 }
 

@@ -18,10 +18,10 @@ namespace CGAL::Bounding_arcs::internal {
 /// for curves along one segment; else large.
 [[nodiscard]] double distance_bound(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
 
-/// Returns such a bound for a curve and a chain of others in the same direction. The curve is cut near their joints.
+/// Returns such a bound for two chains in the same direction. Curves of one are cut near the joints of the other.
 /// \param most beyond which a bound is of no use; then it may be any that is larger
-[[nodiscard]] double distance_bound(Bezier_curve_2<double> curve, const std::vector<Bezier_curve_2<double>>& chain,
-                                    double most);
+[[nodiscard]] double distance_bound(const std::vector<Bezier_curve_2<double>>& a,
+                                    const std::vector<Bezier_curve_2<double>>& b, double most);
 
 /// Returns how far the control points of a curve are from a segment at most.
 [[nodiscard]] double distance_from_segment(const Bezier_curve_2<double>& curve, const Xy<double>& from,
