@@ -120,6 +120,18 @@ TEST(ValidAxis, IsEachOfBundledDrawings) {
   }
 }
 
+// Handles 1e-9 beside their node: a branch that is missing there is told.
+TEST(ValidAxis, IsNotCompleteWhereABranchIsMissing) {
+  const Point start{0.624, -0.012}, node{-0.189, 0.808}, end{-0.483, -0.054};
+  const Drawing path = drawing_of(std::vector<Bezier>{
+      Bezier({start, {0.04009349795170325, 2.844971099307739}, {-0.1889999900071896, 0.8080000003791311}, node}),
+      Bezier({node, {-0.1890000099928104, 0.807999999620869}, {-0.539, 0.221}, end}), segment(end, start)});
+  ba::Medial_axis_2::Options options;
+  options.rule = ba::Fill_rule::EVEN_ODD;
+  options.is_framed = true;
+  EXPECT_TRUE(ba::medial_axis(Tree(ba::framed(path, 0.3)), 1e-3, options).is_valid());
+}
+
 TEST(ValidAxis, HasEdgesBetweenItsVerticesAndEulersRelation) {
   const ba::Medial_axis_2 axis = ba::medial_axis(Tree(frame()), 1e-4);
   ASSERT_TRUE(axis.is_valid());

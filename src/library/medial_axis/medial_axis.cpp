@@ -144,6 +144,12 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   return most;
 }
 
+// Euler's relation: an axis that has another number of branches is not whole, whatever its discs are.
+[[nodiscard]] bool is_whole(const Medial_axis_2& axis) {
+  return axis.status == Medial_axis_2::Status::COMPLETE &&
+         axis.vertices.size() + axis.holes == axis.edges.size() + axis.regions;
+}
+
 [[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked) {
   const Axis_boundary boundary = axis_boundary(parts);
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
@@ -155,13 +161,12 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     return axis;
   };
   Medial_axis_2 axis = made(false);
-  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_2::Status::COMPLETE; };
   constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
   const double miss = most_miss(parts.segments, axis);
-  if (is_good(axis) && miss <= ROOM * boundary.resolution() + parts.moved) return axis;
+  if (is_whole(axis) && miss <= ROOM * boundary.resolution() + parts.moved) return axis;
   // nearly equal discs were told apart by rounding
   Medial_axis_2 joined = made(true);
-  const bool is_better = is_good(joined) && (!is_good(axis) || most_miss(parts.segments, joined) < miss);
+  const bool is_better = is_whole(joined) && (!is_whole(axis) || most_miss(parts.segments, joined) < miss);
   return is_better ? joined : axis;
 }
 
@@ -220,16 +225,16 @@ struct Move {
   constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), FEW = 4, MANY = 64, SEGMENTS = 1 << 14;  // of all tries
   const std::size_t tries =
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
-  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_2::Status::COMPLETE; };
   const double size = coordinate_size(curves.drawing());
   Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size);
-  for (std::uint32_t seed = 0; seed < tries && !is_good(axis) && !axis.bounds->undecided; ++seed) {
+  for (std::uint32_t seed = 0; seed < tries && !is_whole(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
     Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), asked, move.close * size);
     constexpr double MOST = 0x1p-40, OF_SQUARE = 1.5;  // half its diagonal, with what rounding adds
     moved.moved += OF_SQUARE * move.by * size;
-    if (is_good(moved) && moved.moved <= MOST * size) axis = std::move(moved);
+    if (is_whole(moved) && moved.moved <= MOST * size) axis = std::move(moved);
   }
+  if (!is_whole(axis)) axis.status = Medial_axis_2::Status::UNRESOLVED;
   return axis;
 }
 
