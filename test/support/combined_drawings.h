@@ -86,17 +86,19 @@ auto told(const std::string& how, const Drawing& a, const Drawing& b, const Func
 /// What an operation makes, with its rounded curves, and what a user goes on with.
 struct Combined {
   Outline_2 outline;
-  Drawing rounded;  // curve i is chain i
+  Drawing rounded;   // curve i is chain i
+  double moved = 0;  // by how much that is off
   ba::Drawn_outline drawn;
 };
 template <class Tree> Combined combined(const Drawing& a, const Drawing& b, const Operation& how) {
   return told(words_of(how), a, b, [&] {
     using FT = typename Tree::FT;
     const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
-    Combined made{outline_of(tree_a, tree_b, how), {}, {}};
+    Combined made{outline_of(tree_a, tree_b, how), {}, 0, {}};
     if (made.outline.status == ba::Outline_2::Status::UNDECIDED) throw Fault("undecided", "no outline");
     if (made.outline.status != ba::Outline_2::Status::COMPLETE) throw Fault("incomplete", "another status");
     made.rounded = ba::outline_drawing({&tree_a, &tree_b}, made.outline);
+    made.moved = ba::drawn_outline({&tree_a, &tree_b}, made.outline, {false}).moved;
     made.drawn = ba::drawn_outline({&tree_a, &tree_b}, made.outline);
     return made;
   });

@@ -304,7 +304,7 @@ class Checked_outline {
     for (const Drawing* drawing : operands_)
       for (const auto& curve : drawing->curves())
         for (const Bezier& b : curve.beziers) size = (std::max)(size, ba::coordinate_size(b));
-    if (!(drawn.moved <= 0x1p-36 * size)) throw Fault("drawn", "moved by more than rounding does");
+    if (!(drawn.moved <= 8 * made_.moved + 0x1p-36 * size)) throw Fault("drawn", "moved by more than rounding does");
     if (drawn.drawing.curves().size() != drawn.outline.chains.size()) throw Fault("drawn", "not one curve a chain");
     const ba::Bounding_arc_tree_2 tree(drawn.drawing);
     for (int i = 0; i < 12; ++i) {
