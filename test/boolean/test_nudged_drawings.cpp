@@ -6,6 +6,7 @@
 
 #include "counted_faults.h"
 #include "kernel_trees.h"
+#include "outline_areas.h"
 #include "overlay_checks.h"
 #include "winding_oracle.h"
 

@@ -5,6 +5,7 @@
 // The overlays of test/data/overlay, by the tool and by the library, beside their right answers.
 
 #include "kernel_trees.h"
+#include "outline_areas.h"
 #include "overlay_checks.h"
 #include "tool.h"
 

@@ -293,25 +293,20 @@ bool Chain_drawer::comes_back() {
 // All of it is on one line, or within rounding of one.
 bool Chain_drawer::bounds_nothing() {
   using Point = Exact_predicates_inexact_constructions_kernel::Point_2;
-  double rounding = 0, error = 0, size = 0;
-  const Xy<double> start = parts_.front().part.start;
-  Xy<double> far = start, end = start;
+  const auto farthest_from = [this](const Xy<double>& from) {
+    Xy<double> far = from;
+    double most = 0;
+    for (const Drawn_part& d : parts_)
+      for (const Xy<double>& p : d.curve.control_points())
+        if (const double distance = stable_norm(p - from); distance > most) most = distance, far = p;
+    return far;
+  };
+  const Xy<double> far = farthest_from(parts_.front().part.start), end = farthest_from(far);
+  double rounding = 0, error = 0;
   for (const Drawn_part& d : parts_) {
     rounding = (std::max)(rounding, d.rounding);
     error = (std::max)(error, d.error + d.replaced);
-    for (const Xy<double>& p : d.curve.control_points())
-      if (const double distance = stable_norm(p - start); distance > size) {
-        size = distance;
-        far = p;
-      }
   }
-  size = 0;
-  for (const Drawn_part& d : parts_)
-    for (const Xy<double>& p : d.curve.control_points())
-      if (const double distance = stable_norm(p - far); distance > size) {
-        size = distance;
-        end = p;
-      }
   const Point a(far.x, far.y), b(end.x, end.y);
   double width = 0;
   bool is_on_line = true;
