@@ -328,6 +328,28 @@ inline Drawing pen_paths(std::mt19937& random) {
   return drawing;
 }
 
+/// Such paths where handles in their nodes are 10^-8 to 10^-15 of the size beside these instead: curves turn there
+/// within less than coordinates tell.
+inline Drawing paths_with_near_handles(std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  Drawing drawing;
+  for (const auto& curve : pen_paths(random).curves()) {
+    std::vector<Bezier> chain;
+    for (const Bezier& piece : curve.beziers) {
+      std::vector<Point> p = piece.control_points();
+      const auto beside = [&](const Point& node) {
+        const double angle = 6.283185307179586 * share(random), length = 6 * std::pow(10, -7 - 7 * share(random));
+        return node + length * Point{std::cos(angle), std::sin(angle)};
+      };
+      if (p.size() == 4 && p[1] == p[0]) p[1] = beside(p[0]);
+      if (p.size() == 4 && p[2] == p[3]) p[2] = beside(p[3]);
+      chain.push_back(Bezier(std::move(p)));
+    }
+    drawing.add(std::move(chain));
+  }
+  return drawing;
+}
+
 /// A kind of drawings.
 struct Drawn_kind {
   const char* name;
@@ -362,6 +384,8 @@ inline constexpr Drawn_kind DRAWN_KINDS[] = {
     {"ArcsOfACircle", [](std::mt19937& random) { return in_frame(random, arcs_of_a_circle(random)); }, 99},
     {"Fillets", [](std::mt19937& random) { return filled(random, rounded_rectangle(random)); }, 99},
     {"PenPaths", [](std::mt19937& random) { return filled(random, pen_paths(random)); }, 99},
+    {"NearHandles", [](std::mt19937& random) { return filled(random, paths_with_near_handles(random)); }, 90},
+    {"FramedNearHandles", [](std::mt19937& random) { return in_frame(random, paths_with_near_handles(random)); }, 90},
     {"Decimals", [](std::mt19937& random) { return filled(random, with_decimals(random)); }, 60},
 };
 

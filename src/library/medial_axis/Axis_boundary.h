@@ -18,6 +18,7 @@
 #include "../tree/Directed_segment.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
+#include "Hidden_turns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,12 +78,16 @@ class Axis_boundary {
  public:
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
 
-  explicit Axis_boundary(const Segment_hierarchy& curves) : curves_(curves), of_segment_(curves.number_of_segments()) {
-    for (std::uint32_t i = 0; i < curves.number_of_beziers(); ++i)
-      size_ = (std::max)(size_, curves.evaluator(i).coordinate_size());
-  }
+  explicit Axis_boundary(const Segment_hierarchy& curves)
+      : curves_(curves), of_segment_(curves.number_of_segments()), size_(coordinate_size_of(curves)),
+        hidden_turns_(curves, size_, 2 * resolution()) {}
 
   [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
+  /// A segment without turns that are hidden at its ends.
+  [[nodiscard]] Spiral_piece_2 seen_piece(std::uint32_t segment) const {
+    const Seen_segment* seen = hidden_turns_.seen(segment);
+    return seen != nullptr ? seen->piece : curves_.piece(segment);
+  }
   [[nodiscard]] const std::vector<Boundary_element>& elements() const { return elements_; }
   [[nodiscard]] const Boundary_element& element(std::uint32_t i) const { return elements_[i]; }
   [[nodiscard]] const std::vector<Boundary_ring>& rings() const { return rings_; }
@@ -128,6 +133,8 @@ class Axis_boundary {
     constexpr double ROUNDING = 64;  // times the resolution
     return !(std::fabs(turn) * length > ROUNDING * resolution());
   }
+  /// How far curves may be beside what is seen of them; 0 where no turns are hidden.
+  [[nodiscard]] double hidden_height() const { return hidden_turns_.height(); }
   [[nodiscard]] double largest_rounded_turn() const { return largest_rounded_turn_; }
   /// Points that are no farther apart may be one joint.
   [[nodiscard]] double joint_size() const { return 4 * resolution(); }
@@ -174,13 +181,16 @@ class Axis_boundary {
     const Bezier_evaluator& curve = curves_.evaluator(curves_.bezier_of(e.segment));
     const Curve_jet jet = curve(t);
     const auto end_tangent = [&](bool is_first) {
-      const Spiral_piece_2 piece = curves_.piece(e.segment);
+      const Spiral_piece_2 piece = seen_piece(e.segment);
       return is_first ? piece.first.tangent : piece.last.tangent;
     };
     if (curves_.is_straight(e.segment)) {
       const Xy<double> d = end_tangent(true);
       return {jet.point, sign * d, std::fabs(dot(jet.first, d)), 0};
     }
+    const Seen_segment* seen = hidden_turns_.seen(e.segment);
+    if (seen != nullptr && !(seen->from < t && t < seen->to))
+      return {jet.point, sign * end_tangent(t <= seen->from), euclidean_norm(jet.first), 0};
     const double square = dot(jet.first, jet.first), speed = std::sqrt(square);
     const bool is_end = p.u == e.first || p.u == e.last;
     constexpr double FAR = 0x1p10;  // from a cusp: elsewhere a derivative is many times what it errs by
@@ -198,11 +208,13 @@ class Axis_boundary {
   [[nodiscard]] Curvature curvature(const Boundary_place& p) const {
     const Boundary_element& e = elements_[p.element];
     if (curves_.is_straight(e.segment)) return {0, 0};
-    const Spiral_piece_2 piece = curves_.piece(e.segment);
+    const Spiral_piece_2 piece = seen_piece(e.segment);
     const Spiral_sample& s = parameter(p) == piece.first.t ? piece.first : piece.last;
     const double bend = cross(piece.first.tangent, piece.last.tangent) * (e.is_reversed ? -1 : 1);
     const Curvature cusp{std::copysign(std::numeric_limits<double>::infinity(), bend), 0};
     if (!(s.most_curvature < std::numeric_limits<double>::max())) return cusp;
+    if (hidden_turns_.seen(e.segment) != nullptr)
+      return {std::copysign(0.5 * (s.most_curvature + s.least_curvature), bend), s.most_curvature - s.least_curvature};
     const Boundary_jet jet = (*this)(p);
     const Curvature result{jet.turn / jet.speed, s.most_curvature - s.least_curvature};
     const double length = euclidean_norm(piece.last.point - piece.first.point);
@@ -223,6 +235,12 @@ class Axis_boundary {
   }
 
  private:
+  [[nodiscard]] static double coordinate_size_of(const Segment_hierarchy& curves) {
+    double size = 0;
+    for (std::uint32_t i = 0; i < curves.number_of_beziers(); ++i)
+      size = (std::max)(size, curves.evaluator(i).coordinate_size());
+    return size;
+  }
   // Beside a cusp a derivative may be rounding alone. The tangent is between those of the segment's ends.
   [[nodiscard]] Xy<double> tangent_by_cusp(std::uint32_t segment, double t, const Xy<double>& derivative) const {
     const Spiral_piece_2 piece = curves_.piece(segment);
@@ -239,6 +257,7 @@ class Axis_boundary {
   std::vector<Boundary_ring> rings_;
   std::vector<Sides> of_segment_;
   double size_ = 0, largest_rounded_turn_ = 0;
+  Hidden_turns hidden_turns_;
 };
 
 /// The disc that touches two places from inside, where it touches the second one with the tangent it has there; the
@@ -290,7 +309,7 @@ class Axis_boundary_maker {
       for (const Directed_segment& s : ring.way)
         if (is_long(s.segment)) way.push_back(s);
       if (!way.empty()) add_ring(way, ring.is_outer);
-      else if (is_lone_point(ring.way)) add_point(ring.way.front().segment);
+      else if (is_lone_point(ring.way) || is_dot(ring)) add_point(ring.way.front().segment);
     }
   }
   [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
@@ -306,6 +325,11 @@ class Axis_boundary_maker {
     const auto is_there = [&](const Xy<double>& p) { return p == points.front(); };
     return !way.front().is_reversed && std::all_of(way.begin(), way.end(), is_it) &&
            std::all_of(points.begin(), points.end(), is_there);
+  }
+  // A closed curve that is no longer than that is one to what is around it.
+  [[nodiscard]] bool is_dot(const Bounding_ring& ring) const {
+    const auto has_length = [&](const Directed_segment& s) { return length(s.segment) > 0; };
+    return !ring.is_outer && std::any_of(ring.way.begin(), ring.way.end(), has_length);
   }
   // Shorter are points, and what is between two cuts that are nearly one.
   [[nodiscard]] bool is_long(std::uint32_t segment) const { return length(segment) > boundary_.resolution(); }
@@ -325,7 +349,7 @@ class Axis_boundary_maker {
     return sum;
   }
   [[nodiscard]] Directed_piece directed(const Directed_segment& s) const {
-    return {curves_.piece(s.segment), s.is_reversed};
+    return {boundary_.seen_piece(s.segment), s.is_reversed};
   }
   // At the end of an open curve a ring turns round it.
   [[nodiscard]] double turn_between(const Directed_segment& s, const Directed_segment& next) const {

@@ -70,7 +70,7 @@ class Axis_graph {
     Medial_axis_2::Edge edge{from, to, {}};
     edge.samples.reserve(samples.size());
     for (const Axis_sample& s : samples)
-      edge.samples.push_back({s.center, s.radius, boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
+      edge.samples.push_back({s.center, told(s.radius), boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
     return edge;
   }
   void add(Medial_axis_2::Edge edge) {
@@ -85,7 +85,7 @@ class Axis_graph {
     const std::size_t count = joined_.size();
     std::vector<std::size_t> groups;  // roots of discs that are one
     std::vector<bool> is_cut(count, true);
-    for (const Axis_node& node : parts_.nodes) axis.vertices.push_back({node.center, node.radius, {}, {}});
+    for (const Axis_node& node : parts_.nodes) axis.vertices.push_back({node.center, told(node.radius), {}, {}});
     for (std::size_t i = 0; i < count; ++i) {
       Medial_axis_2::Vertex& vertex = axis.vertices[root(i)];
       add_touches(parts_.nodes[i], vertex);
@@ -113,6 +113,8 @@ class Axis_graph {
   }
 
  private:
+  // Where curves meet, a radius is 0 but for rounding.
+  [[nodiscard]] double told(double radius) const { return radius < 0 && radius > -boundary_.resolution() ? 0 : radius; }
   [[nodiscard]] std::size_t root(std::size_t i) const {
     while (joined_[i] != i) i = joined_[i];
     return i;
@@ -193,7 +195,7 @@ class Axis_builder {
     Medial_axis_2 axis;
     const Axis_start start(parts_, loop_);
     unresolved_ = start.unresolved();
-    axis.moved = start.moved();
+    axis.moved = (std::max)(start.moved(), boundary_.hidden_height());
     for (const Boundary_ring& ring : boundary_.rings()) axis.regions += ring.is_outer ? 1U : 0U;
     axis.holes = boundary_.rings().size() - axis.regions;
     split_all();

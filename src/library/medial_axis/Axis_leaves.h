@@ -258,9 +258,12 @@ class Leaf_finder {
     const Boundary_jet jet = boundary_(best.place);
     const double r = std::isfinite(best.value) ? 1 / best.value : 0;
     Touching_disc disc{jet.point + r * jet.normal(), r};
-    constexpr double GOOD = 0x1p-4;  // of the resolution: of points next to each other there is no better disc
-    if (r > 0 && r < boundary_.largest_radius())
-      disc = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
+    constexpr double GOOD = 0x1p-4;    // of the resolution: of points next to each other there is no better disc
+    constexpr double ALIKE = 0x1p-10;  // radii: between ends that are one within their errors, all may be a line
+    if (r > 0 && r < boundary_.largest_radius()) {
+      const Touching_disc fit = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
+      if (std::fabs(fit.radius - r) <= r * (std::max)(ALIKE, best.error / best.value)) disc = fit;
+    }
     return {from.place, to.place, disc.center, disc.radius};
   }
   [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {

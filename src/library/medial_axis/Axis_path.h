@@ -74,7 +74,6 @@ class Axis_path {
         p = on(a_[i], partner, k, i);
         gap_b = k == i ? -1 : gap(p, partner.disc);
       }
-      constexpr double ROUNDING = 64;  // times the resolution
       // discs at ends of elements that turn to the left by little are in what is beyond, by as much on either side
       const double most = ROUNDING * boundary_.resolution() + 2 * boundary_.largest_rounded_turn() * last.sample.radius;
       if ((std::min)(gap_a, gap_b) > most) has_failed_ = true;
@@ -101,6 +100,7 @@ class Axis_path {
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
  private:
+  static constexpr double ROUNDING = 64;  // times the resolution
   struct Piece {
     std::uint32_t element;
     double u0, u1;
@@ -117,7 +117,6 @@ class Axis_path {
   // rounding, and so are their feet: one that is behind its place keeps that of the disc before.
   // \param forward 1 from the first disc on, -1 where samples are the other way round
   void put_first_in_order(double forward) {
-    constexpr double ROUNDING = 64;  // times the resolution
     for (std::size_t k = 1; k + 1 < samples_.size(); ++k) {
       Axis_sample& s = samples_[k];
       const double off = euclidean_norm(s.center - samples_[0].center) + std::fabs(s.radius - samples_[0].radius);
@@ -148,8 +147,17 @@ class Axis_path {
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
     parts_.run(search, others);
-    if (!search.is_found()) has_failed_ = true;
-    return {search.is_found() ? search.place() : parts_.arcs[other].from, {search.center(), search.radius()}};
+    if (search.is_found()) return {search.place(), {search.center(), search.radius()}};
+    // beside the feet of an end's disc, on a line that leaves a corner, rounding may leave nothing in any disc
+    for (const bool is_start : {false, true}) {
+      const Axis_node& node = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]];
+      const Touching_disc disc{node.center, node.radius};
+      if (gap(p, disc) > ROUNDING * boundary_.resolution()) continue;
+      const Boundary_arc& arc = parts_.arcs[other];
+      return {is_start == (other == arc_a_) ? arc.from : arc.to, disc};
+    }
+    has_failed_ = true;
+    return {parts_.arcs[other].from, {search.center(), search.radius()}};
   }
   // A partner, or the end of a piece that it is beyond. The disc touches that as well, where it is so by rounding
   // alone.
@@ -210,12 +218,20 @@ class Axis_path {
                  on_b = std::fabs(t.sample.b.u - s.sample.b.u) * (std::max)(s.speed_b, t.speed_b);
     const State middle = halves_a(s.sample, on_a, on_b) ? between<true>(s, t) : between<false>(s, t);
     if (!(middle.sample.radius > 0)) {
-      has_failed_ = true;
+      if (!are_at_one_point(s.sample, t.sample)) has_failed_ = true;
       return;
     }
     refine(s, middle, depth + 1);
     push(middle);
     refine(middle, t, depth + 1);
+  }
+  // Discs that touch both sides of a tip in its corner, as far as rounding tells: centers are on one line.
+  [[nodiscard]] bool are_at_one_point(const Axis_sample& s, const Axis_sample& t) const {
+    const Xy<double> at = boundary_(s.a).point;
+    const auto is_there = [&](const Boundary_place& p) {
+      return euclidean_norm(boundary_(p).point - at) <= ROUNDING * boundary_.resolution();
+    };
+    return is_there(s.b) && is_there(t.a) && is_there(t.b);
   }
   // Between a curve and its own end the foot on the curve tells the disc. From the other one Newton's method might come
   // to where both tangents are the same.
@@ -246,7 +262,7 @@ class Axis_path {
     const Boundary_jet fixed = boundary_(p);
     Boundary_jet moving = boundary_(q);
     constexpr int MOST_STEPS = 60;
-    constexpr double SETTLED = 0x1p-26;  // of the element: the next step would be of a last bit
+    constexpr double SETTLED = 0x1p-26;  // of the element, and of an angle: the next step would be of a last bit
     const Boundary_element& element = boundary_.element(q.element);
     const double settled = SETTLED * (element.last - element.first);
     for (int step = 0; step < MOST_STEPS && low < high; ++step) {
@@ -262,7 +278,7 @@ class Axis_path {
       q.u = next;
       if (change == 0) break;
       moving = boundary_(q);
-      if (is_newton && change <= settled) break;
+      if (is_newton && change <= settled && std::fabs(moving.turn) * change <= 2 * SETTLED) break;
     }
     State s = IS_OF_A ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
     const bool is_at_end = !(low < high) || q.u == low || q.u == high;

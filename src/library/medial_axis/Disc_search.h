@@ -31,7 +31,8 @@ template <class Ranges> class Disc_search {
   Disc_search(const Axis_boundary& boundary, const Ranges& ranges, const Xy<double>& p, const Xy<double>& normal,
               double most)
       : boundary_(boundary), curves_(boundary.curves()), ranges_(ranges), p_(p), normal_(normal), radius_(most),
-        center_(p + most * normal), resolution_(boundary.resolution()) {}
+        center_(p + most * normal), resolution_(boundary.resolution()),
+        noise_((std::max)(NOISE * resolution_, boundary.hidden_height())) {}
 
   /// Takes a place that counts into account before all others, so that less is in the disc.
   void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
@@ -85,7 +86,7 @@ template <class Ranges> class Disc_search {
     const double square = dot(way, way), least = boundary_.joint_size();
     if (!(height > 0) || square <= least * least) return false;
     const double r = square / (2 * height);
-    if (!(r < radius_ - limit() / 2) || !(height - square / (2 * radius_) > NOISE * resolution_)) return false;
+    if (!(r < radius_ - limit() / 2) || !(height - square / (2 * radius_) > noise_)) return false;
     radius_ = r;
     center_ = p_ + r * normal_;
     place_ = place;
@@ -94,10 +95,10 @@ template <class Ranges> class Disc_search {
 
  private:
   // How deep in the disc a point is for certain, of the resolution. Beside p rounding puts points of a wall that turns
-  // away into it.
+  // away into it, and so does what a wall is off by where it is seen without hidden turns.
   static constexpr double NOISE = 0x1p-4;
 
-  [[nodiscard]] double limit() const { return resolution_ + 0x1p-47 * radius_; }
+  [[nodiscard]] double limit() const { return (std::max)(resolution_ + 0x1p-47 * radius_, noise_); }
   [[nodiscard]] double inner() const { return radius_ - limit(); }
   // What is nearer to the center than that is in the disc; fat arcs tell no more.
   [[nodiscard]] double inner(std::uint32_t segment) const {
@@ -195,7 +196,7 @@ template <class Ranges> class Disc_search {
   Xy<double> p_, normal_;
   double radius_;
   Xy<double> center_;
-  double resolution_;
+  double resolution_, noise_;
   Boundary_place place_;
   int halved_ = 0;
   bool is_found_ = false;

@@ -177,6 +177,26 @@ class Parted_segments {
   double moved_ = 0;
 };
 
+/// Leaves rings out whose parts are that short: a curve that turns in a node may loop there. In a frame only regions
+/// within such rings are left out: to those around them they are points of walls.
+/// \return whether there are such
+[[nodiscard]] bool leave_specks_out(const Parted_segments& parted, double least, bool is_framed,
+                                    std::vector<Ring_of_sides>& rings) {
+  const auto is_short = [&](Edge_side s) {
+    const std::vector<std::uint32_t>& parts = parted.parts_of(edge_of(s));
+    return std::all_of(parts.begin(), parts.end(), [&](std::uint32_t p) {
+      const Spiral_piece_2& piece = parted.parts()[p].piece;
+      return piece.first.t < piece.last.t && euclidean_norm(piece.last.point - piece.first.point) <= least;
+    });
+  };
+  const std::size_t count = rings.size();
+  const auto is_speck = [&](const Ring_of_sides& r) {
+    return (r.is_outer || !is_framed) && std::all_of(r.sides.begin(), r.sides.end(), is_short);
+  };
+  rings.erase(std::remove_if(rings.begin(), rings.end(), is_speck), rings.end());
+  return rings.size() < count;
+}
+
 /// Bezier pieces but those that are points, which the overlay does not take in longer curves.
 [[nodiscard]] std::vector<std::uint32_t> pieces_of_length(const Segment_hierarchy& curves) {
   std::vector<std::uint32_t> kept;
@@ -208,33 +228,43 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
   const Overlay overlay(of_length ? *of_length : curves);
   if (overlay.open()) return {curves.parted({}), {}, {}, 0, overlay.open()->point};
   const std::vector<int> windings = windings_of_faces(overlay, options);
-  const std::vector<Ring_of_sides> rings = bounding_rings(overlay, options, windings);
-  std::vector<char> is_wanted(overlay.cut().edges().size(), 0);
-  for (const Ring_of_sides& ring : rings)
-    for (const Edge_side s : ring.sides) is_wanted[edge_of(s)] = 1;
-  const Parted_segments parted(overlay, is_wanted);
-  std::vector<Segment_part> parts = parted.parts();
+  std::vector<Ring_of_sides> rings = bounding_rings(overlay, options, windings);
+  const auto are_wanted = [&] {
+    std::vector<char> result(overlay.cut().edges().size(), 0);
+    for (const Ring_of_sides& ring : rings)
+      for (const Edge_side s : ring.sides) result[edge_of(s)] = 1;
+    return result;
+  };
+  std::vector<char> is_wanted = are_wanted();
+  auto parted = std::make_unique<const Parted_segments>(overlay, is_wanted);
+  const double speck = 2 * CLOSE_WALLS * coordinate_size(curves.drawing());
+  const bool has_specks = leave_specks_out(*parted, speck, options.is_framed, rings);
+  if (has_specks) {
+    is_wanted = are_wanted();
+    parted = std::make_unique<const Parted_segments>(overlay, is_wanted);
+  }
+  std::vector<Segment_part> parts = parted->parts();
   if (of_length) {
     std::vector<std::uint32_t> given;  // by segment of those with a length
     for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i)
       if (std::binary_search(pieces.begin(), pieces.end(), curves.bezier_of(i))) given.push_back(i);
     for (Segment_part& p : parts) p.piece.segment = given[p.piece.segment];
   }
-  Bounding_parts result{curves.parted(parts), {}, {}, parted.moved(), {}};
+  Bounding_parts result{curves.parted(parts), {}, {}, parted->moved() + (has_specks ? speck : 0), {}};
   for (const Ring_of_sides& ring : rings) {
     Bounding_ring made{{}, ring.is_outer};
     for (const Edge_side s : ring.sides) {
       const auto begin = static_cast<std::ptrdiff_t>(made.way.size());
-      for (const std::uint32_t part : parted.parts_of(edge_of(s))) made.way.push_back({part, is_reversed(s)});
+      for (const std::uint32_t part : parted->parts_of(edge_of(s))) made.way.push_back({part, is_reversed(s)});
       if (is_reversed(s)) std::reverse(made.way.begin() + begin, made.way.end());
     }
     if (!made.way.empty()) result.rings.push_back(std::move(made));
   }
   if (!options.is_framed) result.left_out = curves_left_out(curves, result.segments);
-  result.number_joints(parted.vertices());
+  result.number_joints(parted->vertices());
   std::vector<Side_windings> sides(parts.size());
   for (std::uint32_t e = 0; e < is_wanted.size(); ++e)
-    for (const std::uint32_t part : parted.parts_of(e))
+    for (const std::uint32_t part : parted->parts_of(e))
       sides[part] = {windings[overlay.face_of(side_of(e, false))], windings[overlay.face_of(side_of(e, true))]};
   const auto is_within = [&](int winding) { return is_inside(options, winding); };
   const auto winding_at = [&](const Xy<double>& p) { return options.is_framed ? 1 : winding_number(curves, p).number; };

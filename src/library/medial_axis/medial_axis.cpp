@@ -144,10 +144,10 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   return most;
 }
 
-// Euler's relation: an axis that has another number of branches is not whole, whatever its discs are.
+// An axis that has another number of branches than Euler's relation is not whole, whatever its discs are; and discs
+// that lie in each other are not those of one.
 [[nodiscard]] bool is_whole(const Medial_axis_2& axis) {
-  return axis.status == Medial_axis_2::Status::COMPLETE &&
-         axis.vertices.size() + axis.holes == axis.edges.size() + axis.regions;
+  return axis.status == Medial_axis_2::Status::COMPLETE && axis.is_valid();
 }
 
 [[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked) {
@@ -158,15 +158,15 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, asked.loop).build();
     axis.eps = eps;
     check_discs(parts.segments, boundary, asked.loop, axis);
+    axis.error = most_miss(parts.segments, axis);
     return axis;
   };
   Medial_axis_2 axis = made(false);
   constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
-  const double miss = most_miss(parts.segments, axis);
-  if (is_whole(axis) && miss <= ROOM * boundary.resolution() + parts.moved) return axis;
+  if (is_whole(axis) && axis.error <= ROOM * boundary.resolution() + parts.moved) return axis;
   // nearly equal discs were told apart by rounding
   Medial_axis_2 joined = made(true);
-  const bool is_better = is_whole(joined) && (!is_whole(axis) || most_miss(parts.segments, joined) < miss);
+  const bool is_better = is_whole(joined) && (!is_whole(axis) || joined.error < axis.error);
   return is_better ? joined : axis;
 }
 

@@ -134,7 +134,7 @@ struct Medial_axis_2 {
   std::vector<Vertex> vertices;
   std::vector<Edge> edges;
   double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
-  double error = 0;  ///< at least |clearance - radius| of all vertices
+  double error = 0;  ///< at least |clearance - radius| of all vertices, and what their discs miss touches by
   /// A bound of how far curves were moved where they nearly meet. The axis is that of the moved curves. The bound is at
   /// most 2^-40 of the drawing's size.
   double moved = 0;
