@@ -169,8 +169,34 @@ class Axis_checker {
     const double aside = most_of(dot(checked(s.center) - p.point, p.derivative)) / speed;
     of_.result.aside = (std::max)(of_.result.aside, aside);
     const bool is_joint = foot.t == 0 || foot.t == 1;
-    if (aside > of_.small() + (is_joint ? LEAST_TURN * s.radius : 0))
+    if (aside > of_.small() + (is_joint ? LEAST_TURN * s.radius : 0) && !is_beside_turn(foot, s))
       of_.find(Axis_verification::Fault::FOOT, place, aside);
+  }
+  // A handle beside its node makes a curve turn within less than coordinates tell. A foot there is one of a curve that
+  // is nowhere farther from the given one: beside it that is a line for as long as it leaves its tangent beyond by
+  // nothing, and one of the normals on the way is that of the foot.
+  [[nodiscard]] bool is_beside_turn(const Curve_place& foot, const Medial_axis_2::Sample& s) const {
+    const Bezier_curve_2<double>& piece = of_.piece(foot);
+    const double at_foot = along(piece, foot.t, s);
+    for (const double end : {0.0, 1.0}) {
+      double near = foot.t, far = end;
+      constexpr int STEPS = 60;
+      for (int i = 0; i < STEPS; ++i) {
+        const double t = near + 0.5 * (far - near);
+        (distance_from_tangent(piece, t, foot.t) <= of_.room ? near : far) = t;
+      }
+      double way = near - foot.t;
+      for (int i = 0; i < STEPS && way != 0; ++i, way /= 2) {
+        const double at = along(piece, foot.t + way, s);
+        if (at_foot * at <= 0 || std::fabs(at) <= of_.small()) return true;
+      }
+    }
+    return false;
+  }
+  // How far the center is along the tangent at a place.
+  [[nodiscard]] static double along(const Bezier_curve_2<double>& piece, double t, const Medial_axis_2::Sample& s) {
+    const Checked_point p = point_at(piece, t);
+    return CGAL::to_double(dot(checked(s.center) - p.point, p.derivative) / length(p.derivative));
   }
 
   void expect_empty(const Xy<double>& center, double radius, const std::string& place) {

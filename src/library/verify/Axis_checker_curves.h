@@ -86,6 +86,19 @@ template <class NT> struct Homogeneous_piece {
   return {point, {moved.x / at.w, moved.y / at.w}};
 }
 
+/// At least how far a part of a piece, between two parameters, is from the line that touches the piece at the first
+/// one: its control points are as far.
+[[nodiscard]] inline double distance_from_tangent(const Bezier_curve_2<double>& curve, double t, double other) {
+  const Bezier_curve_2<double> part = curve.subcurve((std::min)(t, other), (std::max)(t, other));
+  const Checked_point at = point_at(curve, t);
+  const Checked_number speed = length(at.derivative);
+  if (!(speed.inf() > 0)) return std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const Xy<double>& p : part.control_points())
+    most = (std::max)(most, most_of(cross(checked(p) - at.point, at.derivative) / speed));
+  return most;
+}
+
 /// All Bezier pieces under a tree of boxes.
 class Curves_in_boxes {
  public:
