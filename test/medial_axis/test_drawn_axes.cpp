@@ -59,11 +59,21 @@ class Bounds {
  private:
   void add_outline(const Axis_case& of, bool are_slits_walls) {
     const ba::Bounding_arc_tree_2 tree(of.drawing);
-    for (const auto& curve : ba::drawn_outline({&tree}, ba::outline(tree, of.options.rule), {false}).drawing.curves())
+    for (const auto& curve : ba::drawn_outline({&tree}, ba::outline(tree, of.options.rule), {false}).drawing.curves()) {
+      if (is_speck(curve.beziers)) continue;
       for (const Bezier& piece : curve.beziers) {
         if (!is_slit(piece) || are_slits_walls) walls_.add({piece});
         else has_slits_ = true;
       }
+    }
+  }
+  // Whether a loop is no larger than what curves may be moved by.
+  [[nodiscard]] bool is_speck(const std::vector<Bezier>& loop) const {
+    const Point at = loop.front().control_points().front();
+    const auto is_there = [&](const Point& p) { return std::hypot(p.x - at.x, p.y - at.y) <= 0x1p-40 * size_; };
+    return std::all_of(loop.begin(), loop.end(), [&](const Bezier& piece) {
+      return std::all_of(piece.control_points().begin(), piece.control_points().end(), is_there);
+    });
   }
   // Whether all is inside beside the middle of a piece.
   [[nodiscard]] bool is_slit(const Bezier& piece) const {
@@ -196,6 +206,7 @@ TEST_P(DrawnAxes, AreWholeAndRight) {
 }
 
 TEST_P(DrawnAxes, AreProven) {
+  if (GetParam().proven == 0) GTEST_SKIP() << "nothing is promised of turns that coordinates do not tell";
   int proven = 0, all = 0;
   expect_no_faults(40, [&](std::mt19937& random) {
     const Axis_case drawn = GetParam().make(random);

@@ -115,12 +115,12 @@ TEST(AxisCheck, IsTheSameInAnyUnit) {
 }
 
 // A file cannot tell more than axes may: 2^-40 of the size.
-// The handle is 1e-9 of the size beside its node, and so the curve turns there within 1e-17.
+// Handles are 1e-11 of the size beside their node, and so curves turn there within 1e-20.
 TEST(AxisCheck, TakesAnyNormalOfATurnThatCoordinatesDoNotTell) {
   const Drawing drawing =
-      ba::framed(drawing_of({Bezier({{11, 1}, {11.000000009931513, 0.9999999920890478}, {10.5, 7.4}, {14, 17}}),
+      ba::framed(drawing_of({Bezier({{11, 1}, {11.000000000099314, 0.9999999999208905}, {10.5, 7.4}, {14, 17}}),
                              Bezier({{14, 17}, {6, 2}}),
-                             Bezier({{6, 2}, {7.3, 0.5}, {11.000000016802897, 1.0000000111982}, {11, 1}})}),
+                             Bezier({{6, 2}, {7.3, 0.5}, {11.00000000016803, 1.0000000001119704}, {11, 1}})}),
                  1);
   Axis_verification::Options options;
   options.is_framed = true;

@@ -365,8 +365,10 @@ class Axis_boundary_maker {
       const Directed_segment& next = way[(i + 1) % way.size()];
       const double turn = turn_between(s, next);
       boundary_.add({s.segment, 0, false, s.is_reversed, sign * p.first().t, sign * p.last().t, {}, {}, turn});
+      // round a corner of a short element discs turn all the same
+      const bool is_little = turn > -Boundary_element::ROUNDED_TURN;
       if (!(turn < 0) || boundary_.is_smooth(turn, boundary_.largest_radius()) ||
-          boundary_.is_smooth(turn, (std::min)(reach<false>(way, i), reach<true>(way, i))))
+          (is_little && boundary_.is_smooth(turn, (std::min)(reach<false>(way, i), reach<true>(way, i)))))
         continue;
       boundary_.add({s.segment, 0, true, s.is_reversed, 0, -turn, p.last().point, p.tangent(p.last())});
     }

@@ -13,7 +13,9 @@
 //     node .__                          what it turns by before is a part of the corner at the node
 //             `--.________ s ___        height: the most by which it is beside the tangent at s
 //
-// An arc of a circle turns everywhere alike and stays what it is, however small it is.
+// So it does where most of that is turned within the first quarter of those parameters, a sixteenth of the way. An arc
+// of a circle turns everywhere alike, and where the handle is in the node a turn grows as its length's root: these stay
+// what they are.
 
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_HIDDEN_TURNS_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_HIDDEN_TURNS_H
@@ -88,18 +90,15 @@ class Hidden_turns {
              (std::fabs(cross(s.tangent, chord)) <= most_ && sign * dot(s.tangent, chord) > 0);
     };
     if (!(turn(other) >= LEAST_TURN)) return end;
-    if (is_line_from(other)) return other;
-    double near = end.t, far = other.t;
+    double near = is_line_from(other) ? other.t : end.t, far = other.t;
     constexpr int STEPS = 60;  // bits of a parameter, and some
-    for (int i = 0; i < STEPS; ++i) {
+    for (int i = 0; i < STEPS && near != far; ++i) {
       const double t = near + 0.5 * (far - near);
       (is_line_from(curves_.sample(piece.segment, t)) ? near : far) = t;
     }
-    const Spiral_sample s = curves_.sample(piece.segment, near);
-    constexpr double OF_AN_ARC =
-        0.25;  // a turn that is less of what an arc with the end's curvature turns by falls off
-    const bool falls_off = turn(s) <= OF_AN_ARC * end.most_curvature * euclidean_norm(s.point - end.point);
-    return turn(s) >= LEAST_TURN && falls_off ? s : end;
+    const Spiral_sample s = curves_.sample(piece.segment, near),
+                        before = curves_.sample(piece.segment, end.t + (near - end.t) / 4);
+    return turn(s) >= LEAST_TURN && 2 * turn(before) >= turn(s) ? s : end;
   }
 
   const Segment_hierarchy& curves_;
