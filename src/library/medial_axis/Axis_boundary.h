@@ -293,8 +293,12 @@ struct Directed_piece {
 [[nodiscard]] inline double turn_of(const Directed_piece& p, const Directed_piece& q) {
   const Xy<double> in = p.tangent(p.last()), out = q.tangent(q.first());
   const double turn = std::atan2(cross(in, out), dot(in, out));
-  constexpr double CUSP = 3.14159265358979 - 0x1p-20;
-  if (std::fabs(turn) < CUSP) return turn;
+  constexpr double HALF_TURN = 3.14159265358979323846, CUSP = HALF_TURN - 0x1p-20, KNOWN = 4;  // times errors
+  // at ends of curves that were given tangents are known better than where curves cross, or touch
+  const auto is_given = [](const Spiral_sample& s) { return s.t == 0 || s.t == 1; };
+  const double errors = p.last().tangent_error + q.first().tangent_error + TANGENT_ROUNDING,
+               known = is_given(p.last()) && is_given(q.first()) ? HALF_TURN - KNOWN * errors : CUSP;
+  if (std::fabs(turn) < (std::max)(CUSP, known)) return turn;
   const double sum = p.curvature(p.last()) + q.curvature(q.first());
   if (sum != 0 && !std::isnan(sum)) return std::copysign(std::fabs(turn), -sum);
   const Xy<double>&from = p.first().point, &at = p.last().point, &to = q.last().point;

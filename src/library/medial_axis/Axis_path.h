@@ -225,13 +225,15 @@ class Axis_path {
     push(middle);
     refine(middle, t, depth + 1);
   }
-  // Discs that touch both sides of a tip in its corner, as far as rounding tells: centers are on one line.
+  // Discs that touch both sides of a tip in its corner, as far as rounding tells, with their centers on one line.
   [[nodiscard]] bool are_at_one_point(const Axis_sample& s, const Axis_sample& t) const {
     const Xy<double> at = boundary_(s.a).point;
     const auto is_there = [&](const Boundary_place& p) {
       return euclidean_norm(boundary_(p).point - at) <= ROUNDING * boundary_.resolution();
     };
-    return is_there(s.b) && is_there(t.a) && is_there(t.b);
+    const Axis_sample &large = s.radius < t.radius ? t : s, &small = s.radius < t.radius ? s : t;
+    const double beside = std::fabs(cross(large.center - at, small.center - at));
+    return is_there(s.b) && is_there(t.a) && is_there(t.b) && beside <= 0.5 * eps_ * large.radius;
   }
   // Between a curve and its own end the foot on the curve tells the disc. From the other one Newton's method might come
   // to where both tangents are the same.

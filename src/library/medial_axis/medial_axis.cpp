@@ -89,6 +89,16 @@ void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_ax
   return euclidean_norm(to - t * way) > FAR * eps;
 }
 
+// Whether a foot begins or ceases to stand still there, in a corner. Where turns are hidden a leaf may be beside that.
+[[nodiscard]] bool is_at_corner(const std::vector<Medial_axis_2::Sample>& samples, std::size_t i) {
+  const auto is_one = [](const Curve_place& p, const Curve_place& q) {
+    return p.curve == q.curve && p.bezier == q.bezier && p.t == q.t;
+  };
+  const Medial_axis_2::Sample &before = samples[i - 1], &at = samples[i], &behind = samples[i + 1];
+  return is_one(before.left, at.left) != is_one(at.left, behind.left) ||
+         is_one(before.right, at.right) != is_one(at.right, behind.right);
+}
+
 // Brackets of all vertices. Where a disc of one of these, or of any of many samples, has a curve in it, it is left out:
 // what rounding may have made of decisions would be seen there. The first and the last ones of an edge are the
 // vertices.
@@ -106,6 +116,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   const auto is_good = [&](const Xy<double>& center, double radius) {
     return is_empty_within(center, radius, ROUNDING / 2);
   };
+  const bool has_hidden_turns = boundary.hidden_height() > 0;
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
     constexpr std::size_t STEP = 8;
@@ -113,7 +124,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     leave_samples_out(is_good, axis.eps, samples);
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
-                                is_outlier(samples, i, axis.eps);
+                                (has_hidden_turns && is_at_corner(samples, i)) || is_outlier(samples, i, axis.eps);
       if (is_looked_at && !is_empty(samples[i].center, samples[i].radius)) is_wrong_edge[edge] = 1;
     }
   };
