@@ -363,6 +363,28 @@ TEST(DrawnShapes, ThatAreDotsStay) {
   }
 }
 
+// A closed curve that is no longer than coordinates tell has no region in it.
+TEST(DrawnShapes, ThatAreLoopsOfAnUlpAreDots) {
+  constexpr double ULP = 0x1p-51;
+  const Point at{3, 3}, beside{3 + ULP, 3}, above{3, 3 + ULP};
+  Drawing drawing = drawing_of({segment(at, beside), segment(beside, above), segment(above, at)});
+  drawing.add({segment({0, 1}, {4, 1})});
+  const ba::Medial_axis_2 axis = axis_in_frame(drawing);
+  EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
+  EXPECT_EQ(axis.regions, 1u);
+  EXPECT_EQ(axis.holes, 2u);
+}
+
+// Sides leave both tips of a sliver within angles of 1e-8: the tangents of given ends tell which one is on which side.
+TEST(DrawnShapes, OfASliverHaveBothTips) {
+  const Point a{0.114074774, 0.009572396}, b{-0.09057868200000001, -0.004889582};
+  const Drawing drawing = drawing_of({segment(a, b), Bezier({b, {-0.022360864, -6.8922e-05}, a, a})});
+  const ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
+  EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE);
+  EXPECT_EQ(axis.vertices.size(), 2u);
+  EXPECT_TRUE(ba::verify_axis(drawing, axis).is_right());
+}
+
 // Both curves leave the tip alike up to their third derivatives: it has no branch that doubles tell.
 Drawing with_a_third_order_tip() {
   return drawing_of({segment({-4, -3}, {-4, 0}), Bezier({{-4, 0}, {-2, 2}, {-2, 3}, {-1, -2}}),
