@@ -138,6 +138,21 @@ TEST(AxisCheck, TakesAnyNormalOfATurnThatCoordinatesDoNotTell) {
   EXPECT_FALSE(ba::verify_axis(drawing, axis, options).is_right());
 }
 
+// A curve that turns alike everywhere leaves its tangent by 1e-12 within 1e-6: its normals are no choice.
+TEST(AxisCheck, TakesTheNormalOfACurveThatIsSeen) {
+  const Drawing drawing = bundled("d_rabbit");
+  Medial_axis_2 axis = axis_of(drawing, 1e-6);
+  expect_right(drawing, axis);
+  const auto longest = std::max_element(axis.edges.begin(), axis.edges.end(), [](const auto& e, const auto& f) {
+    return e.samples.size() < f.samples.size();
+  });
+  ba::Curve_place& foot = longest->samples[MIDDLE].left;
+  foot.t += foot.t < 0.5 ? 1e-6 : -1e-6;
+  const Axis_verification v = ba::verify_axis(drawing, axis);
+  ASSERT_FALSE(v.is_right());
+  EXPECT_EQ(v.findings.front().fault, Axis_verification::Fault::FOOT);
+}
+
 TEST(AxisCheck, CountsWhatCurvesWereMovedBy) {
   const Drawing drawing = drawing_of(closed_chain({{0, 0}, {4, 0}, {4, 2}, {0, 2}}));
   const auto is_right = [&](double by, double told) {

@@ -195,7 +195,7 @@ class Axis_builder {
     Medial_axis_2 axis;
     const Axis_start start(parts_, loop_);
     unresolved_ = start.unresolved();
-    axis.moved = (std::max)(start.moved(), boundary_.hidden_height());
+    axis.moved = start.moved() + boundary_.hidden_height();
     for (const Boundary_ring& ring : boundary_.rings()) axis.regions += ring.is_outer ? 1U : 0U;
     axis.holes = boundary_.rings().size() - axis.regions;
     split_all();

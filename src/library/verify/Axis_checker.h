@@ -186,12 +186,23 @@ class Axis_checker {
         (distance_from_tangent(piece, t, foot.t) <= of_.room ? near : far) = t;
       }
       double way = near - foot.t;
-      for (int i = 0; i < STEPS && way != 0; ++i, way /= 2) {
+      if (way == 0 || !turns_at_once(piece, foot.t, near)) continue;
+      for (int i = 0; i < STEPS; ++i, way /= 2) {
         const double at = along(piece, foot.t + way, s);
         if (at_foot * at <= 0 || std::fabs(at) <= of_.small()) return true;
       }
     }
     return false;
+  }
+  // Whether most of what is turned between two parameters is within their first quarter: a curve that turns alike
+  // everywhere has normals of its own.
+  [[nodiscard]] static bool turns_at_once(const Bezier_curve_2<double>& piece, double from, double to) {
+    const Checked_vector first = point_at(piece, from).derivative;
+    const auto turn = [&](double t) {
+      const Checked_vector d = point_at(piece, t).derivative;
+      return std::fabs(std::atan2(CGAL::to_double(cross(first, d)), CGAL::to_double(dot(first, d))));
+    };
+    return 2 * turn(from + (to - from) / 4) >= turn(to);
   }
   // How far the center is along the tangent at a place.
   [[nodiscard]] static double along(const Bezier_curve_2<double>& piece, double t, const Medial_axis_2::Sample& s) {

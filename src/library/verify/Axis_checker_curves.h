@@ -86,8 +86,8 @@ template <class NT> struct Homogeneous_piece {
   return {point, {moved.x / at.w, moved.y / at.w}};
 }
 
-/// At least how far a part of a piece, between two parameters, is from the line that touches the piece at the first
-/// one: its control points are as far.
+/// A bound of how far a part of a piece, between two parameters, is from the line that touches the piece at the first
+/// one: no point is farther than its control points.
 [[nodiscard]] inline double distance_from_tangent(const Bezier_curve_2<double>& curve, double t, double other) {
   const Bezier_curve_2<double> part = curve.subcurve((std::min)(t, other), (std::max)(t, other));
   const Checked_point at = point_at(curve, t);
