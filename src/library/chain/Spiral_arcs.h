@@ -76,23 +76,63 @@ inline constexpr double ABOVE_ROUNDING = 2;
 
 /// What separates computed end points and computed polynomials from the curve, as a length of the plane: doc/arcs.md.
 /// \param reach the sum of |coefficients| of the segment, in units of its table
+/// \pre the curve is polynomial, or the segment is straight
 [[nodiscard]] inline double fitting_slack(const Bezier_spiral_2<double>& spiral, double reach) {
   constexpr double U = HALF_ULP, ROOT = 1.4142135623730951;
   const double ends = 2 * ROOT * spiral.point_error() + 4 * U * spiral.coordinate_size();
   if (spiral.is_straight()) return ends;  // no polynomial has a part in its chord
   const int degree = spiral.curve().degree();
   const double n = degree, h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit();
-  double power = 1, lightest = 1, heaviest = 1;
+  double power = 1;
   for (int k = 0; k < degree; ++k) power *= 1 + 2 * h;
-  for (const double w : spiral.curve().weights()) {
-    lightest = (std::min)(lightest, w);
-    heaviest = (std::max)(heaviest, w);
-  }
-  const double weights = heaviest / lightest;
-  const double growth = spiral.curve().is_rational() ? 4 * n * weights * weights * power : power - 1;
-  const double table = ROOT * (6 * n + 8) * U * growth * unit;
-  const double shifts = (8 * n + 16) * weights * U * reach * unit;
+  const double table = ROOT * (6 * n + 8) * U * (power - 1) * unit;
+  const double shifts = (8 * n + 16) * U * reach * unit;
   return ends + 2 * table + shifts;
+}
+
+/// What the weights on a piece [t0, t1] do to rounding.
+struct Weight_bounds {
+  double growth;  ///< the sum of what the table's terms for the weight are at most, over its least value
+  double least;   ///< the least value over that at t0
+};
+
+[[nodiscard]] inline Weight_bounds weight_bounds(const std::vector<double>& weights, double t0, double t1) {
+  // the Bezier coefficients of the piece, which bound its values; all numbers are positive, so all of their digits hold
+  std::vector<double> b = weights;
+  const auto degree = b.size() - 1;
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t i = degree; i >= k; --i) b[i] = (1 - t1) * b[i - 1] + t1 * b[i];  // of [0, t1]
+  const double ahead = t0 / t1, behind = (t1 - t0) / t1;
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t i = 0; i + k <= degree; ++i) b[i] = behind * b[i] + ahead * b[i + 1];
+  const double least = *std::min_element(b.begin(), b.end()), h = t1 - t0;
+  std::vector<double> terms = weights;
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t i = 0; i + k <= degree; ++i) terms[i] = (1 - t0 + h) * terms[i] + (t0 + h) * terms[i + 1];
+  return {terms[0] / least, least / b[0]};
+}
+
+/// \param curve the segment's local polynomial, in units of its table
+[[nodiscard]] inline double fitting_slack(const Bezier_spiral_2<double>& spiral,
+                                          const internal::Local_polynomial& curve) {
+  const double reach = internal::total_size(curve.m);
+  if (!curve.is_rational() || spiral.is_straight()) return fitting_slack(spiral, reach);
+  constexpr double U = HALF_ULP, ROOT = 1.4142135623730951;
+  const double n = spiral.curve().degree(), unit = spiral.table<double>().unit();
+  const Weight_bounds weights = weight_bounds(spiral.curve().weights(), spiral.first(), spiral.last());
+  double size = 0;  // of the control points, seen from the first
+  const auto& points = spiral.curve().control_points();
+  for (const Xy<double>& p : points)
+    size = (std::max)({size, std::fabs(p.x - points[0].x), std::fabs(p.y - points[0].y)});
+  const double table = ROOT * (24 * n + 56) * U * weights.growth * size;
+  const double chord = internal::size_of(curve(1));
+  double speed = 0;  // along the segment, times the least weight
+  for (std::size_t k = 1; k < curve.m.size(); ++k)
+    speed += static_cast<double>(k) * (internal::size_of(curve.m[k]) + chord * std::fabs(curve.w[k]));
+  const double shifts = (8 * n + 16) * U * (reach + chord * internal::total_size(curve.w)),
+               parameters = 4 * U * spiral.last() / (spiral.last() - spiral.first()) * speed;
+  return 2 * ROOT * spiral.point_error() + 4 * U * spiral.coordinate_size() + table +
+         (shifts + parameters) / weights.least * unit;
 }
 
 /// Whether a biarc exceeds eps but hardly would with equal errors, which are near the geometric mean of these.
@@ -126,9 +166,7 @@ class Spiral_arcs {
       tangent0_ = shape.tangent0;
       tangent1_ = shape.tangent1;
     }
-    double reach = 0;
-    for (const Xy<double>& v : curve_.m) reach += internal::size_of(v);
-    slack_ = fitting_slack(spiral, reach);
+    slack_ = fitting_slack(spiral, curve_);
     eps_ = (std::max)(eps, ABOVE_ROUNDING * slack_);
   }
 

@@ -104,6 +104,14 @@ struct Local_polynomial {
 inline constexpr std::size_t CELLS = 32;
 
 [[nodiscard]] inline double size_of(const Xy<double>& v) { return std::fabs(v.x) + std::fabs(v.y); }
+[[nodiscard]] inline double size_of(double x) { return std::fabs(x); }
+
+/// The sum of all sizes, a bound of a polynomial's values on [0, 1] from its coefficients.
+template <class T> [[nodiscard]] double total_size(const Coefficients<T>& coefficients) {
+  double sum = 0;
+  for (const T& c : coefficients) sum += size_of(c);
+  return sum;
+}
 
 /// The arc from the origin to `chord` with tan(angle / 4) = bulge, positive for a left turn; q is on its circle iff
 ///   side(q) = (1 - bulge^2) cross(chord, q) + 2 bulge (chord - q).q = 0.
@@ -164,27 +172,34 @@ template <class Numbers> void sample(const Numbers& f, std::array<double, CELLS 
   }
 }
 
-/// An upper bound of the largest |side(q(u))|, in real arithmetic on the given numbers.
-[[nodiscard]] inline double largest_side(const Local_polynomial& q, const Local_arc& arc) {
+/// Bounds along a piece: the largest |side(q(u))| from above, the weight from below. A weight that is not above 0 tells
+/// nothing.
+struct Side_bounds {
+  double side, weight;
+};
+
+/// In real arithmetic on the given numbers, but for the samples of the weight, whose rounding is counted here.
+[[nodiscard]] inline Side_bounds side_bounds(const Local_polynomial& q, const Local_arc& arc) {
   const auto f = side_polynomial(q, arc);
   std::array<double, CELLS + 1> value;
   sample(f, value);
   const double rest = second_derivative_bound(f) / (8.0 * CELLS * CELLS);
+  Side_bounds bounds{0, 1};
   if (!q.is_rational()) {
-    double largest = 0;
-    for (const double v : value) largest = (std::max)(largest, std::fabs(v));
-    return largest + rest;
+    for (const double v : value) bounds.side = (std::max)(bounds.side, std::fabs(v));
+    bounds.side += rest;
+    return bounds;
   }
   std::array<double, CELLS + 1> weight;
   sample(q.w, weight);
-  const double weight_rest = second_derivative_bound(q.w) / (8.0 * CELLS * CELLS);
-  double largest = 0;
+  const double weight_rest = second_derivative_bound(q.w) / (8.0 * CELLS * CELLS) +
+                             2 * static_cast<double>(q.w.size()) * HALF_ULP * total_size(q.w);
+  bounds.weight = *std::min_element(weight.begin(), weight.end()) - weight_rest;
   for (std::size_t i = 0; i < CELLS; ++i) {
     const double w = (std::min)(weight[i], weight[i + 1]) - weight_rest;
-    if (!(w > 0)) return std::numeric_limits<double>::infinity();
-    largest = (std::max)(largest, ((std::max)(std::fabs(value[i]), std::fabs(value[i + 1])) + rest) / (w * w));
+    bounds.side = (std::max)(bounds.side, ((std::max)(std::fabs(value[i]), std::fabs(value[i + 1])) + rest) / (w * w));
   }
-  return largest;
+  return bounds;
 }
 
 /// Whether the foot on the arc's circle moves forwards all the time that q moves from u = 0 to 1.
@@ -210,16 +225,22 @@ template <class Numbers> void sample(const Numbers& f, std::array<double, CELLS 
   return true;
 }
 
-/// An upper bound of the largest distance from the circle of an arc, from that of |side| w^2.
-/// \param reach the sum of |coefficients| of the polynomials of the curve, \param weights of w, \param n their number
-inline double distance_from_side(double side, double chord, double bulge, double reach, double weights, std::size_t n) {
-  // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
-  constexpr double U = HALF_ULP;
-  const double roundings = 8 * static_cast<double>(n) + 32, inverse = 1 / chord, scale = inverse / (1 + bulge * bulge);
-  const double height = side * scale + roundings * U * reach * (2 + reach * inverse) * weights * weights;
+/// What rounding of all that arc_deviation computes adds to |side| / (c (1 + bulge^2)), with c the chord.
+/// \param reach the sum of |coefficients| of the piece's numerator, \param weights that of its weight, \param n their
+///   number, \param least a lower bound of the weight \param inverse 1 / c
+[[nodiscard]] inline double side_rounding(double reach, double inverse, std::size_t n, double weights = 1,
+                                          double least = 1) {
+  // doc/arcs.md: side w^2 is a sum of terms of at most (2 c weights + reach) reach (1 + bulge^2) in all.
+  const double roundings = 8 * static_cast<double>(n) + 32;
+  return roundings * HALF_ULP * reach * (2 * weights + reach * inverse) / (least * least);
+}
+
+/// An upper bound of the largest distance from the circle of an arc, from that of |side| and its rounding.
+inline double distance_from_side(double side, double inverse_chord, double bulge, double rounding) {
+  const double scale = inverse_chord / (1 + bulge * bulge), height = side * scale + rounding;
   const double bend = 8 * std::fabs(bulge) * height * scale;
   // height / (1 - bend / 2), with 1 + bend for 1 / (1 - bend / 2)
-  return bend < 1 ? height * (1 + bend) * (1 + 16 * U) : std::numeric_limits<double>::infinity();
+  return bend < 1 ? height * (1 + bend) * (1 + 16 * HALF_ULP) : std::numeric_limits<double>::infinity();
 }
 
 /// An upper bound of the Frechet distance, and so the Hausdorff distance, between the piece q and the arc, both as
@@ -231,10 +252,11 @@ inline double distance_from_side(double side, double chord, double bulge, double
                                           const Xy<double>& end) {
   const double c = std::sqrt(dot(arc.chord, arc.chord));
   if (!(c > 0) || !foot_moves_forwards(q, arc, start, end)) return std::numeric_limits<double>::infinity();
-  double reach = 0, weights = q.w.empty() ? 1 : 0;
-  for (const Xy<double>& v : q.m) reach += size_of(v);
-  for (const double w : q.w) weights += std::fabs(w);
-  return distance_from_side(largest_side(q, arc), c, arc.bulge, reach, weights, q.m.size());
+  const Side_bounds bounds = side_bounds(q, arc);
+  if (!(bounds.weight > 0)) return std::numeric_limits<double>::infinity();
+  const double inverse = 1 / c, weights = q.is_rational() ? total_size(q.w) : 1;
+  return distance_from_side(bounds.side, inverse, arc.bulge,
+                            side_rounding(total_size(q.m), inverse, q.m.size(), weights, bounds.weight));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -42,7 +42,7 @@ TEST(ArcDeviation, BoundsSidesOfCurvesWithSharpWeights) {
                  y = coordinate([](const auto&p) { return Real(p.y); }), b = arc.bulge;
       largest = std::max(largest, std::fabs((1 - b * b) * y + 2 * b * ((1 - x) * x - y * y)));
     }
-    EXPECT_GE(largest_side(q, arc), largest * (1 - 1e-12L)) << i;
+    EXPECT_GE(side_bounds(q, arc).side, largest * (1 - 1e-12L)) << i;
   }
 }
 

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -24,20 +26,13 @@ using namespace bounding_arcs_test;
 
 constexpr unsigned SEED = 831;
 
-double reach_of(const internal::Local_polynomial& q) {
-  double reach = 0;
-  for (const Point& v : q.m) reach += internal::size_of(v);
-  return reach;
-}
-
 // The largest distance between a point that arcs are fitted to and the curve's, over fitting_slack: points of random
 // pieces as seen from the piece's computed start, all of that rounded as Spiral_arcs does.
 double expect_within_slack(const Spiral& spiral, std::mt19937& random) {
   const double unit = spiral.table<double>().unit();
   const auto fraction = [&] { return std::ldexp(static_cast<double>(random() >> 8), -24); };
   const auto q = internal::local_polynomial(spiral.table<double>(), spiral.first(), spiral.last());
-  const Exact slack(fitting_slack(spiral, reach_of(q))), first(spiral.first()),
-      length = Exact(Exact(spiral.last()) - first);
+  const Exact slack(fitting_slack(spiral, q)), first(spiral.first()), length = Exact(Exact(spiral.last()) - first);
   const auto curve = spiral.exact_curve();
   const Point start = spiral.point(spiral.first());
   double largest = 0;
@@ -54,14 +49,17 @@ double expect_within_slack(const Spiral& spiral, std::mt19937& random) {
   return largest;
 }
 
-double largest_share(int degree, bool is_rational, double offset, int curves) {
+/// \param spread weights are within this factor of each other; 0 of a polynomial
+double largest_share(int degree, double spread, double offset, int curves) {
   std::mt19937 random(SEED + static_cast<unsigned>(degree));
   double largest = 0;
   for (int i = 0; i < curves; ++i) {
-    const Bezier plain = random_curve(random, degree, is_rational);
-    std::vector<Point> points = plain.control_points();
+    std::vector<Point> points = random_curve(random, degree, false).control_points();
     for (Point& p : points) p = {p.x + offset, p.y - offset};
-    for (const Spiral& spiral : spiral_segments(Bezier(points, plain.weights())))
+    std::vector<double> weights;
+    for (std::size_t k = 0; spread > 0 && k < points.size(); ++k)
+      weights.push_back(std::pow(spread, std::ldexp(static_cast<double>(random()), -32)));
+    for (const Spiral& spiral : spiral_segments(Bezier(points, weights)))
       largest = (std::max)(largest, expect_within_slack(spiral, random));
   }
   return largest;
@@ -71,18 +69,20 @@ TEST(FittingSlack, HoldsAndIsNotFarAboveNeeded) {
   for (int degree = 2; degree <= 6; degree += FEW_CASES ? 2 : 1) {
     SCOPED_TRACE(degree);
     // the slack counts ends as it does other points, though they are rounded from twice the digits
-    EXPECT_GT(largest_share(degree, false, 0, 60), degree < 6 ? 1.0 / 50 : 1.0 / 80);  // polynomials
-    EXPECT_GT(largest_share(degree, false, 0x1p20, 60), 1.0 / 30);                     // points
+    EXPECT_GT(largest_share(degree, 0, 0, 60), degree < 6 ? 1.0 / 50 : 1.0 / 80);  // polynomials
+    EXPECT_GT(largest_share(degree, 0, 0x1p20, 60), 1.0 / 30);                     // points
   }
 }
 
-// Squares of ratios of weights stand in it: sound, but far above what these curves need.
+// However much weights differ, no more digits are lost.
 TEST(FittingSlack, HoldsForRationalCurves) {
-  for (int degree = 2; degree <= 6; degree += FEW_CASES ? 2 : 1) {
-    SCOPED_TRACE(degree);
-    EXPECT_GT(largest_share(degree, true, 0, 8), 0);
-    EXPECT_GT(largest_share(degree, true, 0x1p20, 8), 1.0 / 60);
-  }
+  for (int degree = 2; degree <= 6; degree += FEW_CASES ? 2 : 1)
+    for (const double spread : {1.0, 1e3, 1e12}) {
+      SCOPED_TRACE(degree);
+      SCOPED_TRACE(spread);
+      EXPECT_GT(largest_share(degree, spread, 0, 4), 1.0 / 2000);      // polynomials
+      EXPECT_GT(largest_share(degree, spread, 0x1p20, 4), 1.0 / 100);  // points
+    }
 }
 
 // The terms of doc/arcs.md, "Rounding", written out.
@@ -91,23 +91,54 @@ TEST(FittingSlack, IsTheSumOfItsTerms) {
   const double root = std::sqrt(2.0);
   std::mt19937 random(SEED);
   for (int degree = 2; degree <= 6; ++degree)
-    for (const bool is_rational : {false, true})
-      for (const Spiral& spiral : spiral_segments(random_curve(random, degree, is_rational))) {
-        const double n = degree, h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit(), reach = 3,
-                     size = spiral.coordinate_size(), power = std::pow(1 + 2 * h, n);
-        double lightest = 1, heaviest = 1;
-        for (const double w : spiral.curve().weights()) {
-          lightest = (std::min)(lightest, w);
-          heaviest = (std::max)(heaviest, w);
-        }
-        const double weights = heaviest / lightest;
-        const double ends = 2 * root * (3 * n + 1) * (is_rational ? 2 : 1) * U * size + 4 * U * size;
-        const double growth = is_rational ? 4 * n * weights * weights * power : power - 1;
-        const double table = 2 * root * (6 * n + 8) * U * growth * unit,
-                     moved = (8 * n + 16) * weights * U * reach * unit;
-        const double expected = ends + table + moved;
-        EXPECT_NEAR(fitting_slack(spiral, reach), expected, 1e-12 * expected);
+    for (const Spiral& spiral : spiral_segments(random_curve(random, degree, false))) {
+      const double n = degree, h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit(), reach = 3,
+                   size = spiral.coordinate_size();
+      const double ends = 2 * root * (3 * n + 1) * U * size + 4 * U * size;
+      const double table = 2 * root * (6 * n + 8) * U * (std::pow(1 + 2 * h, n) - 1) * unit;
+      const double expected = ends + table + (8 * n + 16) * U * reach * unit;
+      EXPECT_NEAR(fitting_slack(spiral, reach), expected, 1e-12 * expected);
+    }
+}
+
+// The values of a piece's weight are between its Bezier coefficients: by its blossom, one argument after the other.
+double least_coefficient(const std::vector<double>& weights, double t0, double t1) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t ends = 0; ends < weights.size(); ++ends) {
+    std::vector<double> w = weights;
+    for (std::size_t k = 0; w.size() > 1; ++k) {
+      const double t = k < ends ? t1 : t0;
+      for (std::size_t i = 0; i + 1 < w.size(); ++i) w[i] = (1 - t) * w[i] + t * w[i + 1];
+      w.pop_back();
+    }
+    least = (std::min)(least, w[0]);
+  }
+  return least;
+}
+
+// As above, "Rounding with weights": what the slack holds beside ends and moved coefficients.
+TEST(FittingSlack, CountsTheTermsOfWeights) {
+  std::mt19937 random(SEED);
+  for (int degree = 2; degree <= 6; ++degree) {
+    std::vector<double> weights;
+    for (int k = 0; k <= degree; ++k) weights.push_back(std::exp2(20 * std::ldexp(static_cast<double>(random()), -32)));
+    const auto points = random_curve(random, degree, false).control_points();
+    for (const Spiral& spiral : spiral_segments(Bezier(points, weights))) {
+      const double n = degree, t = spiral.first(), h = spiral.last() - t,
+                   least = least_coefficient(weights, t, spiral.last());
+      double terms = 0, binomial = 1, size = 0;
+      for (int i = 0; i <= degree; binomial *= (n - i) / (i + 1), ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        terms += binomial * weights[k] * std::pow(1 - t + h, n - i) * std::pow(t + h, i);
+        size = (std::max)({size, std::fabs(points[k].x - points[0].x), std::fabs(points[k].y - points[0].y)});
       }
+      const Weight_bounds bounds = weight_bounds(weights, t, spiral.last());
+      EXPECT_NEAR(bounds.growth, terms / least, 1e-12 * terms / least);
+      EXPECT_NEAR(bounds.least, least / least_coefficient(weights, t, t), 1e-12 * bounds.least);
+      const auto q = internal::local_polynomial(spiral.table<double>(), t, spiral.last());
+      EXPECT_GT(fitting_slack(spiral, q), std::sqrt(2.0) * (24 * n + 56) * 0x1p-53 * terms / least * size);
+    }
+  }
 }
 
 }  // namespace
