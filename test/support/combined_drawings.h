@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TEST_COMBINED_DRAWINGS_H
 
 #include "faults.h"
+#include "longest_call.h"
 #include "nudged_drawings.h"
 #include "outline_checks.h"
 
@@ -93,14 +94,16 @@ struct Combined {
 template <class Tree> Combined combined(const Drawing& a, const Drawing& b, const Operation& how) {
   return told(words_of(how), a, b, [&] {
     using FT = typename Tree::FT;
-    const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
-    Combined made{outline_of(tree_a, tree_b, how), {}, 0, {}};
-    if (made.outline.status == ba::Outline_2::Status::UNDECIDED) throw Fault("undecided", "no outline");
-    if (made.outline.status != ba::Outline_2::Status::COMPLETE) throw Fault("incomplete", "another status");
-    made.rounded = ba::outline_drawing({&tree_a, &tree_b}, made.outline);
-    made.moved = ba::drawn_outline({&tree_a, &tree_b}, made.outline, {false}).moved;
-    made.drawn = ba::drawn_outline({&tree_a, &tree_b}, made.outline);
-    return made;
+    return timed([&] {
+      const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
+      Combined made{outline_of(tree_a, tree_b, how), {}, 0, {}};
+      if (made.outline.status == ba::Outline_2::Status::UNDECIDED) throw Fault("undecided", "no outline");
+      if (made.outline.status != ba::Outline_2::Status::COMPLETE) throw Fault("incomplete", "another status");
+      made.rounded = ba::outline_drawing({&tree_a, &tree_b}, made.outline);
+      made.moved = ba::drawn_outline({&tree_a, &tree_b}, made.outline, {false}).moved;
+      made.drawn = ba::drawn_outline({&tree_a, &tree_b}, made.outline);
+      return made;
+    });
   });
 }
 

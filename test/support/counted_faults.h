@@ -3,12 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Many seeded cases, of which a test tells how many are wrong, in what, and the first one of each kind. A long run
-// tells the slowest one, too, and goes on where another one ended: BOUNDING_ARCS_FIRST is the first seed.
+// tells the slowest one, too, with its checks, and the slowest operation alone. It goes on where another one ended:
+// BOUNDING_ARCS_FIRST is the first seed.
 
 #ifndef BOUNDING_ARCS_TEST_COUNTED_FAULTS_H
 #define BOUNDING_ARCS_TEST_COUNTED_FAULTS_H
 
 #include "cases.h"
+#include "longest_call.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +55,9 @@ template <class Check> void expect_no_faults(int count, const Check& check) {
   if (std::getenv("BOUNDING_ARCS_CASES") != nullptr) {
     std::cout << wrong << " of " << all << " wrong";
     for (const auto& [kind, of] : faults) std::cout << ", " << of.cases << " " << kind;
-    std::cout << "; seed " << slowest << " took " << static_cast<double>(most) / CLOCKS_PER_SEC << " s\n";
+    std::cout << "; seed " << slowest << " took " << static_cast<double>(most) / CLOCKS_PER_SEC << " s";
+    if (longest_call() > 0) std::cout << ", no operation over " << longest_call() << " s";
+    std::cout << '\n';
   }
   for (const auto& [kind, of] : faults)
     ADD_FAILURE() << of.cases << " of " << all << ", the first one of them: " << of.first;
