@@ -306,6 +306,15 @@ TEST(DrawnShapes, OfFewDecimalsTellWhatIsRoundedOff) {
   EXPECT_LE(axis.moved, 0x1p-40 * 10);
 }
 
+// Joints that turn by some 1e-7 have two normals beside leaves, and four arcs of one radius have a center each.
+TEST(DrawnShapes, WithDecimalsAreWholeAndRight) {
+  for (const unsigned seed : {700762U, 701001U, 702197U, 702295U}) {
+    std::mt19937 random(seed);
+    const Axis_case drawn = filled(random, with_decimals(random));
+    EXPECT_NO_THROW(told_of(drawn, [&] { check_case(drawn, random); })) << "seed " << seed;
+  }
+}
+
 ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
 
 // The centers are its ends: a disc about either touches all of the circle that bounds the union.

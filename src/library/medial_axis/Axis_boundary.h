@@ -200,6 +200,19 @@ class Axis_boundary {
     return {jet.point, sign * d, speed, square > 0 ? sign * cross(jet.first, jet.second) / square : 0};
   }
 
+  /// By how much the tangent turns on, where elements turn into each other by so little that there is no corner, to the
+  /// middle of both: a disc there is as far in what is before as in what is behind. 0 elsewhere.
+  [[nodiscard]] double turn_to_middle(const Boundary_place& p) const {
+    const Boundary_element& e = elements_[p.element];
+    const bool is_last = p.u == e.last;
+    if (e.is_corner || (!is_last && p.u != e.first)) return 0;
+    const std::uint32_t other = is_last ? after(p.element) : before(p.element);
+    const double turn = is_last ? e.turn : elements_[other].turn;
+    return elements_[other].is_corner || std::fabs(turn) >= Boundary_element::ROUNDED_TURN
+               ? 0
+               : (is_last ? 0.5 : -0.5) * turn;
+  }
+
   /// Curvature at an end of an element that is no corner, with what it may be wrong by. It is infinite at a cusp, and
   /// where rounding has made something of a cusp that turns within the piece by an unknown amount.
   struct Curvature {

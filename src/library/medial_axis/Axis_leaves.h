@@ -45,18 +45,12 @@ class Leaf_finder {
   [[nodiscard]] Ring_leaves leaves(std::uint32_t ring) {
     const std::vector<End> ends = ends_of(boundary_.rings()[ring]);
     const std::size_t n = ends.size();
+    constexpr double ROUNDING = 8, MOST = 64;  // times the resolution
     Ring_leaves result;
-    if (const std::optional<Axis_leaf> circle = circle_of(ends)) {
-      result.is_circle = true;
-      result.circle = *circle;
-      const double gap = gap_of_circle(*circle, ends);
-      if (gap > boundary_.resolution()) result.moved = gap;
-      return result;
-    }
+    if (is_circle_within(ROUNDING, ends, result)) return result;
     std::size_t start = 0;  // of a group of ends with one value
     while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
-    if (start == n) return result;
-    for (std::size_t i = start; i < start + n;) {
+    for (std::size_t i = start; start < n && i < start + n;) {
       std::size_t last = i;
       while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
       const End &from = ends[i % n], &to = ends[last % n];
@@ -69,6 +63,8 @@ class Leaf_finder {
       if (from.leaf) result.moved = tip_height();
       i = last + 1;
     }
+    // arcs that have a center each, next to each other, and so no empty disc
+    if (result.leaves.empty()) static_cast<void>(is_circle_within(MOST, ends, result));
     return result;
   }
 
@@ -80,33 +76,40 @@ class Leaf_finder {
     std::uint32_t next = 0;           // behind a convex corner
     std::optional<Axis_leaf> leaf{};  // of a corner that is rounded
   };
+  [[nodiscard]] static bool are_within(const End& a, const End& b, double share) {
+    return a.value == b.value || (std::isfinite(a.value) && std::isfinite(b.value) &&
+                                  std::fabs(a.value - b.value) <=
+                                      a.error + b.error + share * (std::max)(std::fabs(a.value), std::fabs(b.value)));
+  }
+  // Rounded control points of a spline make joints differ by less, of the curvature.
+  static constexpr double ALIKE = 0x1p-32;
+  [[nodiscard]] static bool are_alike(const End& a, const End& b) { return are_within(a, b, ALIKE); }
   [[nodiscard]] static bool are_same(const End& a, const End& b) {
-    if (a.is_corner || b.is_corner) return false;
-    if (a.value == b.value) return true;
-    // rounded control points of a spline make joints differ by less, of the curvature
-    const double same = a.place.element == b.place.element ? 0 : 0x1p-32;
-    return std::isfinite(a.value) && std::isfinite(b.value) &&
-           std::fabs(a.value - b.value) <=
-               a.error + b.error + same * (std::max)(std::fabs(a.value), std::fabs(b.value));
+    return !a.is_corner && !b.is_corner && are_within(a, b, a.place.element == b.place.element ? 0 : ALIKE);
   }
 
-  // The disc of a ring that has one curvature, and joints that leave it by rounding alone.
-  [[nodiscard]] std::optional<Axis_leaf> circle_of(const std::vector<End>& ends) const {
+  // Whether a ring has one curvature, and leaves the disc that it has then by so many times the resolution at most.
+  [[nodiscard]] bool is_circle_within(double most, const std::vector<End>& ends, Ring_leaves& result) const {
     const End *best = nullptr, *last = nullptr;
     for (const End& e : ends) {
-      if (!std::isfinite(e.value) && !e.leaf) return std::nullopt;
-      if (e.is_corner) continue;
-      if (last != nullptr && !are_same(*last, e)) return std::nullopt;
+      if (e.leaf || is_dent(e)) continue;
+      if (!std::isfinite(e.value) || (last != nullptr && !are_alike(*last, e))) return false;
       if (best == nullptr || e.error < best->error) best = &e;
       last = &e;
     }
-    if (best == nullptr || !(best->value > 0) || !are_same(*last, ends.front())) return std::nullopt;
-    const Axis_leaf leaf = osculating(*best, ends.front(), *last);
-    constexpr double ROUNDING = 8;  // times the resolution
-    return gap_of_circle(leaf, ends) <= ROUNDING * boundary_.resolution() ? std::optional(leaf) : std::nullopt;
+    if (best == nullptr || !(best->value > 0) || !are_alike(*last, ends.front())) return false;
+    const Axis_leaf circle = osculating(*best, ends.front(), *last);
+    const double gap = most_gap({circle.center, circle.radius}, points_between(ends.front().place, ends.back().place));
+    if (!(gap <= most * boundary_.resolution())) return false;
+    result.is_circle = true;
+    result.circle = circle;
+    result.moved = gap > boundary_.resolution() ? gap : 0;
+    return true;
   }
-  [[nodiscard]] double gap_of_circle(const Axis_leaf& circle, const std::vector<End>& ends) const {
-    return most_gap({circle.center, circle.radius}, points_between(ends.front().place, ends.back().place));
+  // A corner of nearly no angle.
+  [[nodiscard]] bool is_dent(const End& e) const {
+    const Boundary_element& element = boundary_.element(e.place.element);
+    return element.is_corner && element.last - element.first < Boundary_element::ROUNDED_TURN;
   }
 
   [[nodiscard]] static bool is_less(const End& a, const End& b) {
@@ -267,17 +270,18 @@ class Leaf_finder {
     return {from.place, to.place, disc.center, disc.radius};
   }
   [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {
-    std::vector<Xy<double>> points;
+    std::vector<Xy<double>> points{boundary_(from).point};
     const Boundary_element& first = boundary_.element(from.element);
-    // an end of an element alone, or all elements up to the one that has the other end
-    std::uint32_t e = from.u == first.last ? boundary_.after(from.element) : from.element;
-    const std::uint32_t end = to.u == boundary_.element(to.element).first ? to.element : boundary_.after(to.element);
-    points.push_back(boundary_(from).point);
-    const Boundary_ring& ring = boundary_.rings()[first.ring];
-    for (std::uint32_t count = ring.end - ring.begin; e != end && count > 0; e = boundary_.after(e), --count) {
+    // an end of an element alone, or all elements up to the one that has the other end: those of the ring, where that
+    // is before the first one
+    const bool is_behind = from.u == first.last, is_before = to.u == boundary_.element(to.element).first;
+    std::uint32_t e = is_behind ? boundary_.after(from.element) : from.element;
+    const std::uint32_t end = is_before ? to.element : boundary_.after(to.element);
+    for (bool is_ring = !is_behind && !is_before && e == end; is_ring || e != end; is_ring = false) {
       const Boundary_element& element = boundary_.element(e);
       points.push_back(boundary_({e, 0.5 * (element.first + element.last)}).point);
       points.push_back(boundary_({e, element.last}).point);
+      e = boundary_.after(e);
     }
     return points;
   }

@@ -141,8 +141,15 @@ class Axis_path {
     Boundary_place place;
     Touching_disc disc;
   };
+  // A joint without a corner has two tangents.
+  [[nodiscard]] Boundary_jet with_middle_tangent(const Boundary_place& p) const {
+    Boundary_jet jet = boundary_(p);
+    const double turn = boundary_.turn_to_middle(p);
+    if (turn != 0) jet.tangent = jet.tangent + turn * perp(jet.tangent);
+    return jet;
+  }
   Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
-    const Boundary_jet jet = boundary_(p);
+    const Boundary_jet jet = with_middle_tangent(p);
     const Axis_parts::Others others{parts_, part_, own, other};
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
@@ -216,7 +223,11 @@ class Axis_path {
     if (has_failed_ || depth >= MOST_DEPTH || is_straight(s, t)) return;
     const double on_a = std::fabs(t.sample.a.u - s.sample.a.u) * (std::max)(s.speed_a, t.speed_a),
                  on_b = std::fabs(t.sample.b.u - s.sample.b.u) * (std::max)(s.speed_b, t.speed_b);
-    const State middle = halves_a(s.sample, on_a, on_b) ? between<true>(s, t) : between<false>(s, t);
+    const bool is_half_of_a = halves_a(s.sample, on_a, on_b);
+    State middle = is_half_of_a ? between<true>(s, t) : between<false>(s, t);
+    // the other foot may be beyond a joint that is rounded off
+    if (boundary_.turn_to_middle(is_half_of_a ? middle.sample.b : middle.sample.a) != 0)
+      middle = is_half_of_a ? between<false>(s, t) : between<true>(s, t);
     if (!(middle.sample.radius > 0)) {
       if (!are_at_one_point(s.sample, t.sample)) has_failed_ = true;
       return;
@@ -261,7 +272,7 @@ class Axis_path {
   // The disc that touches at p, on the first arc if IS_OF_A, and in a range of the other one.
   template <bool IS_OF_A>
   [[nodiscard]] State facing(const Boundary_place& p, Boundary_place q, double low, double high) const {
-    const Boundary_jet fixed = boundary_(p);
+    const Boundary_jet fixed = with_middle_tangent(p);
     Boundary_jet moving = boundary_(q);
     constexpr int MOST_STEPS = 60;
     constexpr double SETTLED = 0x1p-26;  // of the element, and of an angle: the next step would be of a last bit
@@ -284,7 +295,9 @@ class Axis_path {
     }
     State s = IS_OF_A ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
     const bool is_at_end = !(low < high) || q.u == low || q.u == high;
-    touch(s.sample, fixed, moving, is_at_end);
+    // a joint has two normals, of which its disc may have any
+    if (boundary_.turn_to_middle(p) != 0 && boundary_.turn_to_middle(q) == 0) touch(s.sample, moving, fixed, true);
+    else touch(s.sample, fixed, moving, is_at_end);
     return s;
   }
 
