@@ -160,6 +160,35 @@ path,kind,x,y,z,bulge
 4,pocket,0.5,0.5,-0.5,0
 4,pocket,7.5,0.5,-0.5,0
 END
+# A ridge at that depth, or above it by so little that there is no pocket, is carved at that depth.
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 1 --format csv
+rounded
+expect_output << 'END'
+path,kind,x,y,z,bulge
+0,carve,0,2,0,0
+0,carve,1,1,-1,0
+0,carve,7,1,-1,0
+0,carve,8,0,0,0
+1,carve,8,2,0,0
+1,carve,7,1,-1,0
+2,carve,0,0,0,0
+2,carve,1,1,-1,0
+END
+run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.9999 --format csv
+rounded
+expect_output << 'END'
+path,kind,x,y,z,bulge
+0,carve,0,2,0,0
+0,carve,0.9999,1.0001,-0.9999,0
+0,carve,1,1,-0.9999,0
+0,carve,7,1,-0.9999,0
+0,carve,7.0001,0.9999,-0.9999,0
+0,carve,8,0,0,0
+1,carve,8,2,0,0
+1,carve,7.0001,1.0001,-0.9999,0
+2,carve,0,0,0,0
+2,carve,0.9999,0.9999,-0.9999,0
+END
 # A flat tool clears the pocket: half of its diameter within the outline first, then so much further. Its G-code is its
 # own; other forms have it beside the bit's.
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.5 --flat-tool 0.4 --format csv

@@ -22,20 +22,63 @@ namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
+// Along the axis where discs are hardly larger than the bit may touch: a pocket that is thinner may be no chain of an
+// inset.
+constexpr double LEAST_POCKET = 0.25;  // of eps
+
+using Samples = std::vector<ba::Medial_axis_2::Sample>;
+
+// With the places where discs are as large as that, but for rounding.
+Samples with_crossings(const Samples& samples, double radius) {
+  constexpr double ROUNDING = 0x1p-40;  // of radii
+  Samples result;
+  for (ba::Medial_axis_2::Sample s : samples) {
+    if (std::fabs(s.radius - radius) <= ROUNDING * s.radius) s.radius = radius;
+    if (!result.empty() && (result.back().radius - radius) * (s.radius - radius) < 0) {
+      ba::Medial_axis_2::Sample between = s;
+      const double share = (radius - result.back().radius) / (s.radius - result.back().radius);
+      between.center = result.back().center + share * (s.center - result.back().center);
+      between.radius = radius;
+      result.push_back(between);
+    }
+    result.push_back(s);
+  }
+  return result;
+}
+// Without the end of a way that goes on into a pocket at once, from where discs are as large as that.
+void end_at_pocket(double radius, double most_length, Samples& samples) {
+  double length = 0;
+  std::size_t i = samples.size() - 1;
+  for (; i > 0 && samples[i].radius > radius && length <= most_length; --i)
+    length += ba::euclidean_norm(samples[i].center - samples[i - 1].center);
+  if (samples[i].radius <= radius && length <= most_length) samples.resize(i + 1);
+}
+Samples way_of_bit(const Samples& samples, double radius, double least_pocket) {
+  constexpr double STEEP = 4;  // the length of a way on which radii grow by 1
+  Samples way = with_crossings(samples, radius);
+  for (int end = 0; end < 2; ++end) {
+    end_at_pocket(radius, STEEP * least_pocket, way);
+    std::reverse(way.begin(), way.end());
+  }
+  return way;
+}
+
 std::vector<Tool_pass> branches_of(const ba::Medial_axis_2& axis, const V_bit& bit) {
   std::vector<Tool_pass> passes;
   std::vector<std::size_t> parts;
-  for (const ba::Medial_axis_2::Branch& branch : ba::axis_branches(axis, bit.largest())) {
+  const double least_pocket = LEAST_POCKET * axis.eps;
+  for (const ba::Medial_axis_2::Branch& branch : ba::axis_branches(axis, bit.largest() + least_pocket)) {
+    const Samples samples = way_of_bit(branch.samples, bit.largest(), least_pocket);
     Tool_pass pass{"carve"};
     const auto height = [&](const ba::Medial_axis_2::Sample& s) {
       return 0 - (std::min)(s.radius * bit.depth, bit.most);
     };
-    for (const ba::Medial_axis_2::Sample& s : branch.samples) {
+    for (const ba::Medial_axis_2::Sample& s : samples) {
       if (!pass.heights.empty()) pass.pieces.push_back({(&s)[-1].center, s.center, 0});
       pass.heights.push_back(height(s));
     }
     if (pass.pieces.empty()) {  // a disc alone is drilled
-      const ba::Medial_axis_2::Sample& disc = branch.samples.front();
+      const ba::Medial_axis_2::Sample& disc = samples.front();
       pass.pieces.push_back({disc.center, disc.center, 0});
       pass.heights.push_back(height(disc));
     }
