@@ -95,6 +95,8 @@ TYPED_TEST(KernelPoints, AreControlPoints) {
   EXPECT_EQ(closest_points_of_all(Bounding_arc_tree_2(arch), three).size(), 3U);
   const B_spline_curve_2<double> spline(2, points, {0, 0, 0, 1, 1, 1});
   EXPECT_EQ(spline.bezier_pieces().front().control_points()[1], (Xy<double>{1, 2}));
+  EXPECT_EQ(B_spline_curve_2<double>::periodic(2, points).control_points()[1], (Xy<double>{1, 2}));
+  EXPECT_EQ(B_spline_curve_2<double>::uniform(2, points).control_points()[1], (Xy<double>{1, 2}));
 }
 
 // Coordinates that no double has decide.

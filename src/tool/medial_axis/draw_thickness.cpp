@@ -55,7 +55,7 @@ std::string counted(std::size_t count, const std::string& thing, const std::stri
 std::string title_of(const Found_thickness& found, double largest) {
   std::string title;
   if (found.has_limit()) {
-    title = counted(found.stretches.size(), "stretch", "stretches") + " thinner than " + short_number(found.below);
+    title = counted(found.stretches.size(), "stretch", "stretches") + " thinner than " + number(found.below);
     if (!found.stretches.empty())
       title += ", the least " + short_number(found.stretches.front().thickness()) + " thick";
     title += "; ";

@@ -197,8 +197,8 @@ void add_frame_option(CLI::App& command, Medial_axis_words& words) {
   command
       .add_option_function<double>(
           "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },
-          "The Voronoi diagram of all curves, open ones too, within a rectangle around them with that margin,\n"
-          "in units of the coordinates; where no number follows, a tenth of the drawing's larger side")
+          "The Voronoi diagram of all curves, open ones too, within a rectangle around their control points with\n"
+          "that margin, in units of the coordinates; where no number follows, a tenth of the drawing's larger side")
       ->expected(0, 1)
       ->default_str("0")
       ->type_name("[MARGIN]")

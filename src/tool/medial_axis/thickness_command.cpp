@@ -48,7 +48,7 @@ std::string message_of_thin(const Found_thickness& found) {
   const ba::Medial_axis_2::Thin_stretch& least = found.stretches.front();
   char text[240];
   std::snprintf(text, sizeof text, "%zu stretch%s thinner than %s, the least %s at (%s, %s)", found.stretches.size(),
-                found.stretches.size() == 1 ? " is" : "es are", short_number(found.below).c_str(),
+                found.stretches.size() == 1 ? " is" : "es are", number(found.below).c_str(),
                 short_number(least.thickness()).c_str(), short_number(least.disc().center.x).c_str(),
                 short_number(least.disc().center.y).c_str());
   return text;

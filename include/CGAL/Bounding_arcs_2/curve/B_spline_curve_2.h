@@ -182,6 +182,11 @@ template <class NT> class B_spline_curve_2 {
       knots.push_back(NT(static_cast<int>(i)));
     return B_spline_curve_2(degree, std::move(points), std::move(knots), std::move(weights));
   }
+  /// Takes a range of points of any kernel, see points_of_kernel.
+  template <class Points, class = internal::Kernel_of_range<Points>>
+  [[nodiscard]] static B_spline_curve_2 uniform(int degree, const Points& points, std::vector<NT> weights = {}) {
+    return uniform(degree, internal::points_of_kernel<NT>(points), std::move(weights));
+  }
 
   /// A closed curve of n = points.size() spans; span i is ruled by the points i, ..., i + degree (modulo n).
   /// \param degree at least 1
@@ -206,6 +211,12 @@ template <class NT> class B_spline_curve_2 {
     curve.periodic_ = true;
     curve.knots_ = internal::unwrapped_knots(degree, n, std::move(knots));
     return curve;
+  }
+  /// Takes a range of points of any kernel, see points_of_kernel.
+  template <class Points, class = internal::Kernel_of_range<Points>>
+  [[nodiscard]] static B_spline_curve_2 periodic(int degree, const Points& points, std::vector<NT> knots = {},
+                                                 std::vector<NT> weights = {}) {
+    return periodic(degree, internal::points_of_kernel<NT>(points), std::move(knots), std::move(weights));
   }
 
   [[nodiscard]] int degree() const { return degree_; }
