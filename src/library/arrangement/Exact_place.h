@@ -12,7 +12,6 @@
 #define BOUNDING_ARCS_LIBRARY_ARRANGEMENT_EXACT_PLACE_H
 
 #include "../overlay/Exact_curve.h"
-#include "../overlay/Exact_parameter.h"
 
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Arranged_curve.h>
 #include "../query/exact_intersections.h"
@@ -32,8 +31,10 @@ struct Exact_common {
 };
 [[nodiscard]] const Exact_common& exact_common(const Arranged_pair& pair);
 
-/// The greatest integer that is not greater.
-[[nodiscard]] Integer floor_of(const Exact_rational& x);
+/// A range of rational numbers.
+struct Exact_range {
+  Exact_rational lower, upper;
+};
 /// The values of n / d over a range. \pre d is positive there, for ranges that are small enough
 /// \return nothing where the range of d's values reaches 0
 [[nodiscard]] std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate& d, const Exact_range& t);

@@ -5,6 +5,7 @@
 // Bodies of arrangement/internal/arr_predicates.h.
 
 #include "../overlay/Boundary_sum.h"
+#include "../overlay/Meeting_places.h"
 #include "Exact_place.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
@@ -28,11 +29,17 @@ namespace {
 
 [[nodiscard]] Comparison_result opposite(Comparison_result r) { return static_cast<Comparison_result>(-r); }
 
+[[nodiscard]] Comparison_result compare_coordinates(const Arr_point_2& p, const Arr_point_2& q, bool is_x) {
+  const Bracket &a = is_x ? p.data()->x : p.data()->y, &b = is_x ? q.data()->x : q.data()->y;
+  if (a.upper < b.lower) return SMALLER;
+  if (b.upper < a.lower) return LARGER;
+  if (p.data() == q.data() || (a.is_single() && b.is_single())) return EQUAL;
+  return static_cast<Comparison_result>(exact_place(*p.data()).compare(exact_place(*q.data()), is_x));
+}
+
 }  // namespace
 
-Comparison_result compare_coordinates_exactly(const Arranged_point& p, const Arranged_point& q, bool is_x) {
-  return static_cast<Comparison_result>(exact_place(p).compare(exact_place(q), is_x));
-}
+Comparison_result compare_x(const Arr_point_2& p, const Arr_point_2& q) { return compare_coordinates(p, q, true); }
 
 Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q) {
   if (p.data() == q.data()) return EQUAL;
@@ -89,48 +96,28 @@ namespace {
   return {-INFINITE, INFINITE};
 }
 
-/// The parameters of a part's branch, each end between bounds.
-struct Branch_range {
-  Exact_range first, last;
-};
-[[nodiscard]] Branch_range branch_range(const Arr_x_monotone_curve_2& c, int bits) {
-  const auto& turns = c.data()->exact_turns();
-  const auto turn = [&](std::size_t i) {
-    turns[i].refine_to(bits);
-    return Exact_range{turns[i].lower(), turns[i].upper()};
-  };
-  const Exact_rational zero(0), one(1);
-  return {c.branch() == 0 ? Exact_range{zero, zero} : turn(c.branch() - 1),
-          c.branch() == turns.size() ? Exact_range{one, one} : turn(c.branch())};
-}
-
 /// The y of a part's branch at an x in a range, in a range that shrinks with it.
 /// \return nothing where the range is too wide
 [[nodiscard]] std::optional<Exact_range> exact_y_at(const Arr_x_monotone_curve_2& c, const Exact_range& x, int bits) {
   const Integer_piece& piece = c.data()->exact().piece();
-  const Branch_range branch = branch_range(c, bits);
-  // parameters between the ends, over 2^bits
-  const Exact_rational scale(power_of_two(bits));
-  const Integer low = -floor_of(Exact_rational(-branch.first.upper * scale)),
-                high = floor_of(branch.last.lower * scale);
-  // \return the nearest parameter found whose x is on that side of `at`; the end beyond, if there is none
-  const auto beyond = [&](const Exact_rational& at, bool is_left) {
-    const Univariate seen = moved(piece.x, piece.w, at);
-    const bool is_first = is_left == c.is_rising();
-    Integer near = is_first ? low : high, far = is_first ? high : low;
-    const auto is_beyond = [&](const Integer& t) {
-      const int side = sign_at_dyadic(seen, t, bits);
-      return is_left ? side <= 0 : side >= 0;
-    };
-    if (low > high || !is_beyond(near)) return is_first ? branch.first.lower : branch.last.upper;
-    while (CGAL::abs(Integer(far - near)) > Integer(1)) {
-      const Integer half = (near + far) / 2;
-      (is_beyond(half) ? near : far) = half;
-    }
-    return Exact_rational(Exact_rational(near) / scale);
+  const auto range_of_parameter = [bits](const Exact_parameter& t) {
+    t.refine_to(bits);
+    return Exact_range{t.lower(), t.upper()};
   };
-  const Exact_rational s = beyond(x.lower, true), t = beyond(x.upper, false);
-  return quotients_over(piece.y, piece.w, {(std::min)(s, t), (std::max)(s, t)});
+  // \return where the branch is at an x, or its end on that side if it ends before
+  const auto parameter_at = [&](const Exact_rational& at, bool is_left) {
+    for (const Real_root& root : unit_roots(moved(piece.x, piece.w, at))) {
+      const Exact_parameter t(root);
+      const Branches on = branches_at(*c.data(), t);
+      if (on.before <= c.branch() && c.branch() <= on.behind) return range_of_parameter(t);
+    }
+    const auto& turns = c.data()->exact_turns();
+    const std::size_t end = is_left == c.is_rising() ? c.branch() : c.branch() + 1;
+    if (end == 0) return range_of_parameter(Exact_parameter(Exact_rational(0)));
+    return range_of_parameter(end <= turns.size() ? turns[end - 1] : Exact_parameter(Exact_rational(1)));
+  };
+  const Exact_range s = parameter_at(x.lower, true), t = parameter_at(x.upper, false);
+  return quotients_over(piece.y, piece.w, {(std::min)(s.lower, t.lower), (std::max)(s.upper, t.upper)});
 }
 
 [[nodiscard]] Comparison_result compare(const std::optional<Exact_range>& a, const std::optional<Exact_range>& b) {
@@ -138,23 +125,21 @@ struct Branch_range {
   return a->upper < b->lower ? SMALLER : (b->upper < a->lower ? LARGER : EQUAL);
 }
 
-}  // namespace
-
-const Arranged_place* known_place(const Arr_point_2& p, const Arr_x_monotone_curve_2& c) {
+/// The place of a point on the branch that a part is of, if the point is known to be there.
+[[nodiscard]] const Arranged_place* known_place(const Arr_point_2& p, const Arr_x_monotone_curve_2& c) {
   for (const Arranged_place& place : p.data()->places)
     if (place.curve == c.data()->number() && place.branch == c.branch()) return &place;
   return nullptr;
 }
 
-bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c) {
+/// Whether a point of the branch that a part is of is on the part, at its parameter on the curve.
+[[nodiscard]] bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c) {
   const Bracket &first = c.is_rising() ? c.left_parameter() : c.right_parameter(),
                 &last = c.is_rising() ? c.right_parameter() : c.left_parameter();
   if (t.upper < first.lower || last.upper < t.lower) return false;
   if (first.upper < t.lower && t.upper < last.lower) return true;
   return compare_xy(p, c.left()) != SMALLER && compare_xy(p, c.right()) != LARGER;
 }
-
-namespace {
 
 /// Where the branch of a part runs through a point, if it does.
 [[nodiscard]] const Arranged_place* place_on(const Arr_x_monotone_curve_2& c, const Arr_point_2& p) {
@@ -213,14 +198,14 @@ struct Shared_branch {
 
 std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const Arr_x_monotone_curve_2& d,
                                           Meetings_of_pairs& meetings) {
-  std::vector<Arr_common_part> result;
+  std::vector<Arr_common_part> parts, points;
   const auto add_point = [&](const Arr_point_2& p, unsigned multiplicity) {
-    for (Arr_common_part& known : result)
-      if (!known.part && compare_xy(known.point, p) == EQUAL) {
+    for (Arr_common_part& known : points)
+      if (compare_xy(known.point, p) == EQUAL) {
         known.multiplicity = 0;  // places of one point on branches that it is not told of
         return;
       }
-    result.push_back({std::nullopt, p, multiplicity});
+    points.push_back({std::nullopt, p, multiplicity});
   };
   // \param left, right the ends of what both branches have in common, if these do not go on there
   const auto add_part = [&](const Arr_point_2* left, const Arr_point_2* right) {
@@ -231,12 +216,12 @@ std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const
     const Comparison_result order = compare_xy(*left, *right);
     if (order == EQUAL) add_point(*left, 0);
     if (order == SMALLER)
-      result.push_back({c.part({*left, parameter_at(c, *left)}, {*right, parameter_at(c, *right)}), {}, 0});
+      parts.push_back({c.part({*left, parameter_at(c, *left)}, {*right, parameter_at(c, *right)}), {}, 0});
   };
   const bool is_one_curve = c.data() == d.data();
   if (is_one_curve && c.branch() == d.branch()) {
     add_part(nullptr, nullptr);
-    return result;
+    return parts.empty() ? points : parts;
   }
   const Arranged_meetings& known = meetings.of(c.data(), d.data());
   if (is_one_curve || !known.overlaps.empty())  // neighbouring branches
@@ -259,15 +244,12 @@ std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const
     const Arranged_place *on_c = known_place(p, c), *on_d = known_place(p, d);
     if (on_c && on_d && is_on_part(p, on_c->t, c) && is_on_part(p, on_d->t, d)) add_point(p, m.is_transversal ? 1 : 0);
   }
-  const auto is_on_a_part = [&result](const Arr_common_part& q) {
-    return !q.part && std::any_of(result.begin(), result.end(), [&q](const Arr_common_part& r) {
-      return r.part && compare_xy(r.part->left(), q.point) != LARGER && compare_xy(q.point, r.part->right()) != LARGER;
+  std::vector<Arr_common_part> result = parts;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(result), [&](const Arr_common_part& q) {
+    return std::none_of(parts.begin(), parts.end(), [&q](const Arr_common_part& r) {
+      return compare_xy(r.part->left(), q.point) != LARGER && compare_xy(q.point, r.part->right()) != LARGER;
     });
-  };
-  std::vector<Arr_common_part> once;
-  std::copy_if(result.begin(), result.end(), std::back_inserter(once),
-               [&](const Arr_common_part& r) { return !is_on_a_part(r); });
-  result = std::move(once);
+  });
   const auto first = [](const Arr_common_part& r) { return r.part ? r.part->left() : r.point; };
   std::sort(result.begin(), result.end(), [&](const Arr_common_part& p, const Arr_common_part& q) {
     return compare_xy(first(p), first(q)) == SMALLER;
@@ -280,19 +262,14 @@ namespace {
 /// By tangents, which tell most curves apart; EQUAL where they do not.
 [[nodiscard]] Comparison_result compare_slopes(const Arr_x_monotone_curve_2& c, const Bracket& t,
                                                const Arr_x_monotone_curve_2& d, const Bracket& s) {
-  Xy<double> tangent[2];
-  double error[2];
-  for (const int i : {0, 1}) {
-    const Arr_x_monotone_curve_2& e = i == 0 ? c : d;
-    const Bracket& at = i == 0 ? t : s;
-    const Bezier_evaluator& curve = e.data()->evaluator();
-    const Curve_jet jet = curve(at.middle());
-    tangent[i] = (e.is_rising() ? 1.0 : -1.0) * jet.first;
-    error[i] = curve.errors_at(at.middle(), jet).first + at.width() * curve.second_bound();
-  }
-  const double sine = cross(tangent[0], tangent[1]);
-  const double u = euclidean_norm(tangent[0]), v = euclidean_norm(tangent[1]);
-  const double room = u * error[1] + v * error[0] + error[0] * error[1] + 8 * HALF_ULP * u * v;
+  const auto tangent = [](const Arr_x_monotone_curve_2& e, const Bracket& at) {
+    const Derivative_in_range along = derivative_in(e.data()->evaluator(), at);
+    return e.is_rising() ? along : Derivative_in_range{-along.value, along.error};
+  };
+  const Derivative_in_range of_c = tangent(c, t), of_d = tangent(d, s);
+  const double sine = cross(of_c.value, of_d.value);
+  const double u = euclidean_norm(of_c.value), v = euclidean_norm(of_d.value);
+  const double room = u * of_d.error + v * of_c.error + of_c.error * of_d.error + 8 * HALF_ULP * u * v;
   return sine > room ? SMALLER : (sine < -room ? LARGER : EQUAL);
 }
 

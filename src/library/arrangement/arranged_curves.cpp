@@ -4,6 +4,7 @@
 //
 // Curves of arrangements: what is known of them ahead, their parts that are monotone in x, what two have in common.
 
+#include "../overlay/Meeting_places.h"
 #include "Exact_place.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
@@ -39,11 +40,6 @@ namespace {
   return curve;
 }
 
-[[nodiscard]] bool is_end(const Bracket& t) { return t.is_single() && (t.lower == 0 || t.lower == 1); }
-
-[[nodiscard]] double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
-[[nodiscard]] double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
-
 }  // namespace
 
 Arranged_curve::Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t curve, std::size_t piece)
@@ -65,16 +61,13 @@ Arranged_curve::Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t
 Arranged_curve::~Arranged_curve() = default;
 
 Arranged_curve::Box Arranged_curve::at(const Bracket& t) const {
-  if (is_end(t)) {
+  if (is_end_of_piece(t)) {
     const Xy<double>& p = t.lower == 0 ? bezier().control_points().front() : bezier().control_points().back();
     return {{p.x, p.x}, {p.y, p.y}};
   }
   const double middle = t.lower + t.width() / 2, reach = evaluator_.point_error() + first_bound_ * t.width();
   const Xy<double> p = evaluator_(middle).point;
-  const auto around = [reach](const Bracket& of_curve, double coordinate) {
-    return of_curve.is_single() ? of_curve : Bracket{below(coordinate - reach), above(coordinate + reach)};
-  };
-  return {around(x_, p.x), around(y_, p.y)};
+  return {x_.is_single() ? x_ : range_around(p.x, reach), y_.is_single() ? y_ : range_around(p.y, reach)};
 }
 
 namespace {
@@ -83,7 +76,7 @@ namespace {
 /// the curve turns next to it.
 void add_place(const Arranged_point& p, const Arranged_curve& c, const Bracket& t) {
   std::size_t first = 0, last = 0;
-  if (is_end(t)) {
+  if (is_end_of_piece(t)) {
     first = last = t.lower == 0 ? 0 : c.turns().size();
   } else {
     for (const Bracket& turn : c.turns()) {
@@ -101,9 +94,9 @@ void add_place(const Arranged_point& p, const Arranged_curve& c, const Bracket& 
                                                  const Bracket& s, std::shared_ptr<Exact_place> exact = nullptr) {
   const Arranged_curve &a = *pair->a, &b = *pair->b;
   Arranged_point_handle point;
-  if (is_end(t)) {
+  if (is_end_of_piece(t)) {
     point = t.lower == 0 ? a.start() : a.end();
-  } else if (is_end(s)) {
+  } else if (is_end_of_piece(s)) {
     point = s.lower == 0 ? b.start() : b.end();
   } else {
     auto data = std::make_shared<Arranged_point>();

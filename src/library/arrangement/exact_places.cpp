@@ -15,12 +15,20 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-Integer floor_of(const Exact_rational& x) {
-  const auto [n, d] = decomposed(x);
-  Integer q = n / d;  // towards 0
-  if (Integer(q * d) > n) q -= 1;
-  return q;
+namespace {
+
+/// The values of p over a range. \pre the range is in [0, infinity)
+[[nodiscard]] Exact_range values_over(const Univariate& p, const Exact_range& t) {
+  Exact_range value{Exact_rational(0), Exact_rational(0)};
+  for (int i = p.degree(); i >= 0; --i) {
+    const Exact_rational c(coefficient(p, i));
+    value = {Exact_rational(value.lower * (CGAL::is_negative(value.lower) ? t.upper : t.lower) + c),
+             Exact_rational(value.upper * (CGAL::is_negative(value.upper) ? t.lower : t.upper) + c)};
+  }
+  return value;
 }
+
+}  // namespace
 
 std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate& d, const Exact_range& t) {
   const Exact_range p = values_over(n, t), q = values_over(d, t);
@@ -78,8 +86,11 @@ namespace {
     if (!range) continue;
     if (range->lower == range->upper) return Exact_parameter(range->lower);
     const int k = bits + SPARE_BITS;
-    const Exact_rational scale(power_of_two(k));
-    const Integer from = floor_of(range->lower * scale) - Integer(1), to = floor_of(range->upper * scale) + Integer(1);
+    const auto scaled = [k](const Exact_rational& bound) {
+      const auto [numerator, denominator] = decomposed(Exact_rational(bound * Exact_rational(power_of_two(k))));
+      return Integer(numerator / denominator);
+    };
+    const Integer from = scaled(range->lower) - Integer(1), to = scaled(range->upper) + Integer(1);
     const auto over = over_range(*roots, from, to, k);
     const auto& c = over.scaled_coefficients();
     if (c.front() != Integer(0) && c.back() != Integer(0) && sign_variations(over).most() == 1)
@@ -165,12 +176,7 @@ const Exact_curve& Arranged_curve::exact() const {
 const std::vector<Exact_parameter>& Arranged_curve::exact_turns() const {
   return exact_turns_([this] {
     const Integer_piece& piece = exact().piece();
-    const Univariate& x = is_vertical() ? piece.y : piece.x;
-    std::vector<Exact_parameter> turns;
-    for (const Real_root& t : unit_roots(odd_part(derivative_numerator(x, piece.w))))
-      if (Exact_parameter turn(t); turn.compare(Exact_rational(0)) > 0 && turn.compare(Exact_rational(1)) < 0)
-        turns.push_back(std::move(turn));
-    return turns;
+    return turns_of(is_vertical() ? piece.y : piece.x, piece.w);
   });
 }
 

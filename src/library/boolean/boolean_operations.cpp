@@ -24,20 +24,6 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-[[nodiscard]] bool is_of(Boolean_operation operation, std::size_t filled, bool is_first_filled, std::size_t operands) {
-  switch (operation) {
-    case Boolean_operation::UNION:
-      return filled > 0;
-    case Boolean_operation::INTERSECTION:
-      return filled == operands;
-    case Boolean_operation::DIFFERENCE:
-      return is_first_filled && filled == 1;
-    case Boolean_operation::SYMMETRIC_DIFFERENCE:
-      return filled % 2 == 1;
-  }
-  return false;
-}
-
 /// What operands fill, told from face to face by what is crossed between them.
 class Filled_faces {
  public:
@@ -52,10 +38,22 @@ class Filled_faces {
       add(united_.operands[edge.curve], edge.is_against == is_reversed(s) ? -1 : 1);
     }
   }
-  [[nodiscard]] std::size_t number_filled() const { return filled_; }
-  [[nodiscard]] bool is_filled_by(std::size_t operand) const { return is_filled(rules_[operand], winding_[operand]); }
+  [[nodiscard]] bool is_of(Boolean_operation operation) const {
+    switch (operation) {
+      case Boolean_operation::UNION:
+        return filled_ > 0;
+      case Boolean_operation::INTERSECTION:
+        return filled_ == rules_.size();
+      case Boolean_operation::DIFFERENCE:
+        return filled_ == 1 && is_filled_by(0);
+      case Boolean_operation::SYMMETRIC_DIFFERENCE:
+        return filled_ % 2 == 1;
+    }
+    return false;
+  }
 
  private:
+  [[nodiscard]] bool is_filled_by(std::size_t operand) const { return is_filled(rules_[operand], winding_[operand]); }
   void add(std::uint32_t operand, int number) {
     const bool was_filled = is_filled_by(operand);
     winding_[operand] += number;
@@ -69,68 +67,25 @@ class Filled_faces {
   std::size_t filled_ = 0;    // how many are
 };
 
-/// Turns loops of sides into chains of parts.
-class Chain_writer {
- public:
-  Chain_writer(const Overlay& overlay, const United_curves& united)
-      : overlay_(overlay), cut_(overlay.cut()), unit_(united.unit), beziers_(united.beziers) {}
-
-  [[nodiscard]] Outline_2::Chain chain(const Region_loop& loop) const {
-    Outline_2::Chain chain;
-    chain.is_ccw = loop.is_ccw;
-    chain.parent = loop.parent;
-    for (const Edge_side s : loop.sides) add(s, chain.parts);
-    return chain;
-  }
-
- private:
-  void add(Edge_side s, std::vector<Outline_2::Part>& parts) const {
-    std::vector<Bezier_span> spans = cut_.spans_of(edge_of(s));
+/// A loop of sides as a chain of parts.
+[[nodiscard]] Outline_2::Chain chain_of(const Region_loop& loop, const Overlay& overlay, const United_curves& united) {
+  Outline_2::Chain chain{{}, loop.is_ccw, loop.parent};
+  const auto point = [&](std::uint32_t bezier, const Bracket& end, std::uint32_t cut) {
+    return united.unit.out(cut != NO_NUMBER ? overlay.points()[overlay.cut().cuts()[cut].vertex]
+                                            : overlay.curves().evaluator(bezier)(end.lower).point);
+  };
+  for (const Edge_side s : loop.sides) {
+    std::vector<Bezier_span> spans = overlay.cut().spans_of(edge_of(s));
     if (is_reversed(s)) std::reverse(spans.begin(), spans.end());
     for (const Bezier_span& span : spans) {
-      const Operand_bezier& at = beziers_[span.bezier];
+      const Operand_bezier& at = united.beziers[span.bezier];
       const Xy<double> from = point(span.bezier, span.from, span.first_cut),
                        to = point(span.bezier, span.to, span.last_cut);
-      if (is_reversed(s)) parts.push_back({at.operand, at.curve, at.bezier, span.to, span.from, true, to, from});
-      else parts.push_back({at.operand, at.curve, at.bezier, span.from, span.to, false, from, to});
+      if (is_reversed(s)) chain.parts.push_back({at.operand, at.curve, at.bezier, span.to, span.from, true, to, from});
+      else chain.parts.push_back({at.operand, at.curve, at.bezier, span.from, span.to, false, from, to});
     }
   }
-  [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& end, std::uint32_t cut) const {
-    return unit_.out(cut != NO_NUMBER ? overlay_.points()[cut_.cuts()[cut].vertex]
-                                      : overlay_.curves().evaluator(bezier)(end.lower).point);
-  }
-
-  const Overlay& overlay_;
-  const Cut_curves& cut_;
-  const Unit& unit_;
-  const std::vector<Operand_bezier>& beziers_;
-};
-
-/// \param is_inside bool(const Filled_faces&)
-template <class IsInside>
-[[nodiscard]] Outline_2 outline_of(const std::vector<const Bounding_arc_tree_2*>& trees, const Fill_rules& fill_rules,
-                                   const IsInside& is_inside) {
-  std::vector<Fill_rule> rules;
-  for (std::size_t i = 0; i < trees.size(); ++i) rules.push_back(fill_rules.of(i, trees.size()));
-  for (const Bounding_arc_tree_2* tree : trees) check_closed(tree->drawing());
-  const United_curves united = united_curves(trees, Lone_points::DROPPED);
-  const Overlay overlay(*united.segments);
-  Outline_2 result;
-  if (overlay.open()) {
-    result.status = Outline_2::Status::UNDECIDED;
-    result.undecided = undecided_meeting(*overlay.open(), united);
-    return result;
-  }
-  std::vector<char> inside(overlay.number_of_faces(), 0);
-  Filled_faces filled(rules, united, overlay);
-  overlay.for_each_face([&](Edge_side s) { filled.cross(s); },
-                        [&](std::uint32_t face) { inside[face] = is_inside(filled) ? 1 : 0; });
-  const std::vector<Region_loop> loops = region_loops(overlay, inside, Loops_at_vertices::SPLIT);
-  if (united.forest) united.forest->drop_boxes();
-  const Chain_writer writer(overlay, united);
-  result.chains.reserve(loops.size());
-  for (const Region_loop& loop : loops) result.chains.push_back(writer.chain(loop));
-  return result;
+  return chain;
 }
 
 }  // namespace
@@ -140,11 +95,24 @@ template <class IsInside>
 namespace CGAL::Bounding_arcs {
 
 Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2*>& trees, Boolean_operation operation,
-                            const Fill_rules& rules) {
+                            const Fill_rules& fill_rules) {
   if (trees.empty()) return {};
-  return internal::outline_of(trees, rules, [&](const internal::Filled_faces& filled) {
-    return internal::is_of(operation, filled.number_filled(), filled.is_filled_by(0), trees.size());
-  });
+  std::vector<Fill_rule> rules;
+  for (std::size_t i = 0; i < trees.size(); ++i) rules.push_back(fill_rules.of(i, trees.size()));
+  for (const Bounding_arc_tree_2* tree : trees) check_closed(tree->drawing());
+  const internal::United_curves united = internal::united_curves(trees, internal::Lone_points::DROPPED);
+  const internal::Overlay overlay(*united.segments);
+  if (overlay.open()) return {{}, Outline_2::Status::UNDECIDED, internal::undecided_meeting(*overlay.open(), united)};
+  std::vector<char> inside(overlay.number_of_faces(), 0);
+  internal::Filled_faces filled(rules, united, overlay);
+  overlay.for_each_face([&](internal::Edge_side s) { filled.cross(s); },
+                        [&](std::uint32_t face) { inside[face] = filled.is_of(operation) ? 1 : 0; });
+  const auto loops = internal::region_loops(overlay, inside, internal::Loops_at_vertices::SPLIT);
+  if (united.forest) united.forest->drop_boxes();
+  Outline_2 result;
+  result.chains.reserve(loops.size());
+  for (const internal::Region_loop& loop : loops) result.chains.push_back(internal::chain_of(loop, overlay, united));
+  return result;
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -27,8 +27,15 @@ namespace {
 
 class Clipper {
  public:
-  Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule)
-      : Clipper(curves, region, unit, rule, Intersection_search(curves, region).by_pieces()) {}
+  Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule,
+          const Numbered_intersections& found)
+      : curves_(curves), region_(region), unit_(unit), rule_(rule), places_(curves, region, found),
+        places_of_(curves.number_of_beziers()), overlaps_of_(curves.number_of_beziers()) {
+    for (std::size_t i = 0; i < places_.meetings().size(); ++i)
+      places_of_[places_.meetings()[i].bezier[0]].push_back(static_cast<Place_number>(2 * i));
+    for (std::size_t i = 0; i < found.overlaps.size(); ++i) overlaps_of_[found.overlaps[i].beziers.first].push_back(i);
+    if (places_.undecided()) leave_open(*places_.undecided());
+  }
 
   [[nodiscard]] Clipped_2 result() {
     Clipped_2 result;
@@ -41,16 +48,6 @@ class Clipper {
   }
 
  private:
-  Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule,
-          const Numbered_intersections& found)
-      : curves_(curves), region_(region), unit_(unit), rule_(rule), places_(curves, region, found),
-        places_of_(curves.number_of_beziers()), overlaps_of_(curves.number_of_beziers()) {
-    for (std::size_t i = 0; i < places_.meetings().size(); ++i)
-      places_of_[places_.meetings()[i].bezier[0]].push_back(static_cast<Place_number>(2 * i));
-    for (std::size_t i = 0; i < found.overlaps.size(); ++i) overlaps_of_[found.overlaps[i].beziers.first].push_back(i);
-    for (std::size_t i = 0; i < found.points.size() && !undecided_; ++i)
-      if (found.points[i].common.kind == Intersection_kind::UNDECIDED) leave_open(static_cast<Place_number>(2 * i));
-  }
   void leave_open(Place_number p) {
     const auto of = [](const Segment_hierarchy& h, std::uint32_t operand, std::uint32_t bezier) {
       const auto curve = static_cast<std::uint32_t>(h.curve_of_bezier(bezier));
@@ -70,25 +67,26 @@ class Clipper {
   }
 
   void add_parts(std::uint32_t curve, std::uint32_t number, std::uint32_t bezier, Clipped_2& result) {
-    std::vector<Place_number>& places = places_of_[bezier];
-    std::vector<std::size_t> first_of_class;
-    if (const auto open = places_.sort(places, first_of_class)) return leave_open(open->first);
+    const Sorted_places sorted = places_.sorted(places_of_[bezier]);
+    if (sorted.undecided) return leave_open(*sorted.undecided);
     constexpr Bracket START{0, 0}, END{1, 1};
     std::vector<Cut> cuts{{START, std::nullopt}};
-    std::vector<std::size_t> cut_of_place;  // as `places`
-    for (std::size_t k = 0; k < first_of_class.size(); ++k) {
-      const std::size_t end = k + 1 < first_of_class.size() ? first_of_class[k + 1] : places.size();
-      const Bracket& t = places_.bracket(places[first_of_class[k]]);
+    std::vector<std::size_t> cut_of_class;
+    for (const auto& equal : sorted.classes) {
+      const Bracket& t = places_.bracket(equal.front());
       const bool is_start = t.is_single() && t.lower == 0, is_end = t.is_single() && t.lower == 1;
-      if (!is_start && !is_end) cuts.push_back({t, places[first_of_class[k]]});
-      cut_of_place.resize(end, is_end ? cuts.size() : cuts.size() - 1);
+      if (!is_start && !is_end) cuts.push_back({t, equal.front()});
+      cut_of_class.push_back(is_end ? cuts.size() : cuts.size() - 1);
     }
     cuts.push_back({END, std::nullopt});
     std::vector<char> is_along(cuts.size() - 1, 0);
     for (const std::size_t overlap : overlaps_of_[bezier]) {
       const auto cut_at = [&](std::size_t end) {
-        const auto at = std::find(places.begin(), places.end(), places_.overlap_place(overlap, end));
-        return cut_of_place[static_cast<std::size_t>(at - places.begin())];
+        const auto holds_end = [p = places_.overlap_place(overlap, end)](const auto& equal) {
+          return std::find(equal.begin(), equal.end(), p) != equal.end();
+        };
+        const auto at = std::find_if(sorted.classes.begin(), sorted.classes.end(), holds_end);
+        return cut_of_class[static_cast<std::size_t>(at - sorted.classes.begin())];
       };
       for (std::size_t i = cut_at(0), end = cut_at(2); i < end; ++i) is_along[i] = 1;
     }
@@ -151,7 +149,8 @@ namespace CGAL::Bounding_arcs {
 Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& region, Fill_rule rule) {
   check_closed(region.drawing());
   const Common_unit both(curves, region);
-  return internal::Clipper(both.a(), both.b(), both.unit(), rule).result();
+  const Numbered_intersections found = Intersection_search(both.a(), both.b()).by_pieces();
+  return internal::Clipper(both.a(), both.b(), both.unit(), rule, found).result();
 }
 
 }  // namespace CGAL::Bounding_arcs

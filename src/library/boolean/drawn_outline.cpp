@@ -7,7 +7,7 @@
 //   parts -> curves in doubles, and how far these are from the parts -> without slivers -> drawing
 
 #include "Chain_drawer.h"
-#include "rounded_part.h"
+#include "rounded_curves.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/boolean/clip.h>
@@ -23,11 +23,6 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-[[nodiscard]] Bezier_curve_2<double> curve_of(const Outline_2::Part& part, const Drawing_2<double>& drawing) {
-  return curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, part.is_reversed,
-                       part.start, part.end);
-}
-
 void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& drawing) {
   const std::string number = std::to_string(drawing.curves().size() + 1);
   drawing.add(std::move(chain), "outline " + number);
@@ -40,16 +35,16 @@ void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& dra
 namespace CGAL::Bounding_arcs {
 
 Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_2::Part& part) {
-  return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, false,
-                                 part.start, part.end);
+  return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier],
+                                 {0, part.curve, part.bezier, part.from, part.to, false, part.start, part.end});
 }
 
 Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline) {
   Drawing_2<double> result;
   for (const Outline_2::Chain& given : outline.chains) {
     std::vector<Bezier_curve_2<double>> chain;
-    for (const Outline_2::Part& part : given.parts)
-      chain.push_back(internal::curve_of(part, trees.at(part.operand)->drawing()));
+    for (const Outline_2::Part& p : given.parts)
+      chain.push_back(internal::curve_of_part(trees.at(p.operand)->drawing().curves()[p.curve].beziers[p.bezier], p));
     internal::add_chain(std::move(chain), result);
   }
   return result;

@@ -7,6 +7,7 @@
 #include "Cut_curves.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include "../query/Intersection_search.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
@@ -15,10 +16,11 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-Cut_curves::Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, const Cut_options& options)
-    : curves_(curves), places_(places),
-      nodes_(curves.number_of_beziers() + curves.drawing().curves().size() + 2 * places.meetings().size()) {
-  add_cuts(options);
+Cut_curves::Cut_curves(const Segment_hierarchy& curves, bool at_joints)
+    : curves_(curves), places_(curves, curves, Intersection_search(curves).by_pieces()),
+      first_place_(static_cast<std::uint32_t>(curves.number_of_beziers() + curves.drawing().curves().size())),
+      nodes_(first_place_ + 2 * places_.meetings().size()), undecided_(places_.undecided()) {
+  if (!undecided_) add_cuts(at_joints);
   if (undecided_) return;
   add_edges();
   join_edges();
@@ -30,13 +32,12 @@ std::uint32_t Cut_curves::node_of(Place_number p) const {
   const Bracket& t = places_.bracket(p);
   if (t.is_single() && t.lower == 0) return places_.bezier_of(p);
   if (t.is_single() && t.lower == 1) return node_behind_[places_.bezier_of(p)];
-  return static_cast<std::uint32_t>(curves_.number_of_beziers() + curves_.drawing().curves().size()) + p;
+  return first_place_ + p;
 }
 
-void Cut_curves::add_cuts(const Cut_options& options) {
+void Cut_curves::add_cuts(bool at_joints) {
   const auto& drawn = curves_.drawing().curves();
   const auto beziers = static_cast<std::uint32_t>(curves_.number_of_beziers());
-  const auto first_place = static_cast<std::uint32_t>(beziers + drawn.size());
   const auto places = static_cast<Place_number>(2 * places_.meetings().size());
   for (std::uint32_t c = 0; c < drawn.size(); ++c)
     for (std::uint32_t b = 0; b < drawn[c].beziers.size(); ++b) {
@@ -44,17 +45,17 @@ void Cut_curves::add_cuts(const Cut_options& options) {
       const std::uint32_t end = drawn[c].is_closed ? curves_.number_of_bezier(c, 0) : beziers + c;
       node_behind_.push_back(is_last ? end : curves_.number_of_bezier(c, b + 1));
     }
-  std::vector<char> is_cut(first_place, options.at_joints ? 1 : 0);
+  std::vector<char> is_cut(first_place_, at_joints ? 1 : 0);
   std::vector<Place_number> inside;  // neither at joints nor at ends
   for (Place_number p = 0; p < places; ++p) {
     const std::uint32_t node = node_of(p);
     if (p % 2 == 0) nodes_.join(node, node_of(p + 1));
-    if (node < first_place) is_cut[node] = 1;
+    if (node < first_place_) is_cut[node] = 1;
     else inside.push_back(p);
   }
   std::sort(inside.begin(), inside.end(),
             [this](Place_number p, Place_number q) { return places_.bezier_of(p) < places_.bezier_of(q); });
-  cut_of_node_.assign(first_place + places, NO_NUMBER);
+  cut_of_node_.assign(first_place_ + places, NO_NUMBER);
   std::vector<std::uint32_t> nodes;  // by cut
   const auto add = [&](std::uint32_t bezier, double t, std::uint32_t node) {
     cut_of_node_[node] = static_cast<std::uint32_t>(cuts_.size());
@@ -84,28 +85,24 @@ void Cut_curves::add_cuts(const Cut_options& options) {
 }
 
 // Cuts between the ends of a piece: of each class of equal places one.
-bool Cut_curves::add_cuts_inside(std::uint32_t bezier, std::vector<Place_number>& places,
+bool Cut_curves::add_cuts_inside(std::uint32_t bezier, const std::vector<Place_number>& places,
                                  std::vector<std::uint32_t>& nodes) {
-  const auto first_place = static_cast<std::uint32_t>(curves_.number_of_beziers() + curves_.drawing().curves().size());
-  std::vector<std::size_t> first_of_class;
-  undecided_ = places_.sort(places, first_of_class);
-  if (undecided_) return false;
-  for (std::size_t k = 0; k < first_of_class.size(); ++k) {
-    const std::size_t end = k + 1 < first_of_class.size() ? first_of_class[k + 1] : places.size();
-    const Place_number first = places[first_of_class[k]];
-    Place_number place = first;
-    Bracket t = places_.bracket(first);
-    for (std::size_t i = first_of_class[k]; i < end; ++i) {
-      const Bracket& own = places_.bracket(places[i]);
+  const Sorted_places sorted = places_.sorted(places);
+  undecided_ = sorted.undecided;
+  for (const auto& equal : sorted.classes) {
+    Place_number place = equal.front();
+    Bracket t = places_.bracket(place);
+    for (const Place_number p : equal) {
+      const Bracket& own = places_.bracket(p);
       t = {(std::max)(t.lower, own.lower), (std::min)(t.upper, own.upper)};
-      if (own.is_single()) place = places[i];
-      nodes_.join(first_place + first, first_place + places[i]);
-      cut_of_node_[first_place + places[i]] = static_cast<std::uint32_t>(cuts_.size());
+      if (own.is_single()) place = p;
+      nodes_.join(first_place_ + equal.front(), first_place_ + p);
+      cut_of_node_[first_place_ + p] = static_cast<std::uint32_t>(cuts_.size());
     }
     cuts_.push_back({{bezier, t}, 0, place});
-    nodes.push_back(first_place + place);
+    nodes.push_back(first_place_ + place);
   }
-  return true;
+  return !undecided_;
 }
 
 void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
@@ -125,29 +122,25 @@ void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
 
 namespace {
 
-[[nodiscard]] const Exact_parameter& start_of_piece() {
-  static const Exact_parameter START(Exact_rational(0));
-  return START;
-}
-[[nodiscard]] const Exact_parameter& end_of_piece() {
-  static const Exact_parameter END(Exact_rational(1));
-  return END;
+/// 0 or 1.
+[[nodiscard]] const Exact_parameter& end_of_piece(bool is_last) {
+  static const Exact_parameter ENDS[] = {Exact_parameter(Exact_rational(0)), Exact_parameter(Exact_rational(1))};
+  return ENDS[is_last ? 1 : 0];
 }
 
 }  // namespace
 
 const Exact_parameter& Cut_curves::parameter(std::uint32_t cut) const {
   const Curve_cut& c = cuts_[cut];
-  if (c.place != NO_NUMBER) return places_.parameter(c.place);
-  return c.at.is_start() ? start_of_piece() : end_of_piece();
+  return c.place != NO_NUMBER ? places_.parameter(c.place) : end_of_piece(!c.at.is_start());
 }
 
 const Exact_parameter& Cut_curves::start_of(const Bezier_span& span) const {
-  return span.first_cut == NO_NUMBER ? start_of_piece() : parameter(span.first_cut);
+  return span.first_cut == NO_NUMBER ? end_of_piece(false) : parameter(span.first_cut);
 }
 // The cut at the end of a piece is the start of the next one.
 const Exact_parameter& Cut_curves::end_of(const Bezier_span& span) const {
-  return span.last_cut == NO_NUMBER || span.to.lower == 1 ? end_of_piece() : parameter(span.last_cut);
+  return span.last_cut == NO_NUMBER || span.to.lower == 1 ? end_of_piece(true) : parameter(span.last_cut);
 }
 
 void Cut_curves::add_edges() {
@@ -191,13 +184,11 @@ std::vector<Bezier_span> Cut_curves::spans_of(std::uint32_t edge) const {
     return spans;
   }
   const Joint_place &from = cuts_[e.first].at, &to = cuts_[e.last].at;
-  const bool is_through_start = e.last <= e.first;
-  if (!is_through_start && from.bezier == to.bezier) return {{from.bezier, from.t, to.t, e.first, e.last}};
+  if (from.bezier == to.bezier && e.first < e.last) return {{from.bezier, from.t, to.t, e.first, e.last}};
   spans.push_back({from.bezier, from.t, END, e.first, NO_NUMBER});
-  for (std::uint32_t b = from.bezier + 1; b < (is_through_start ? end : to.bezier); ++b)
+  const auto next = [&](std::uint32_t b) { return b + 1 < end ? b + 1 : first; };
+  for (std::uint32_t b = next(from.bezier); b != to.bezier; b = next(b))
     spans.push_back({b, START, END, NO_NUMBER, NO_NUMBER});
-  if (is_through_start)
-    for (std::uint32_t b = first; b < to.bezier; ++b) spans.push_back({b, START, END, NO_NUMBER, NO_NUMBER});
   if (to.is_start()) spans.back().last_cut = e.last;
   else spans.push_back({to.bezier, START, to.t, NO_NUMBER, e.last});
   return spans;
@@ -224,7 +215,7 @@ void Cut_curves::join_edges() {
     if (is_point(places_.bezier_of(p[0])) || is_point(places_.bezier_of(p[1]))) continue;
     const std::optional<int> order = places_.compare(p[1], p[3]);
     if (!order) {
-      undecided_ = {p[1], p[3]};
+      undecided_ = p[1];
       return;
     }
     const bool runs_back = *order > 0;

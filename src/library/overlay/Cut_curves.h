@@ -84,15 +84,10 @@ struct Cut_edge {
   bool is_against = false;       ///< runs against that one
 };
 
-/// What is cut beside common points.
-struct Cut_options {
-  bool at_joints = false;  ///< where Bezier pieces meet
-};
-
 class Cut_curves {
  public:
-  /// \pre nothing in common is undecided
-  Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, const Cut_options& options);
+  /// \param at_joints whether curves are cut where Bezier pieces meet, too
+  Cut_curves(const Segment_hierarchy& curves, bool at_joints);
 
   [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
   [[nodiscard]] Meeting_places& places() const { return places_; }
@@ -124,12 +119,12 @@ class Cut_curves {
   /// The curves of a class, as edges: the next one of the same class; NO_NUMBER behind the last one.
   [[nodiscard]] std::uint32_t next_member(std::uint32_t edge) const { return next_member_[edge]; }
 
-  /// Two places whose order doubles leave open. Then there is nothing else.
-  [[nodiscard]] const std::optional<std::pair<Place_number, Place_number>>& undecided() const { return undecided_; }
+  /// A place that doubles leave open, or its order. Then there is nothing else.
+  [[nodiscard]] const std::optional<Place_number>& undecided() const { return undecided_; }
 
  private:
-  void add_cuts(const Cut_options& options);
-  [[nodiscard]] bool add_cuts_inside(std::uint32_t bezier, std::vector<Place_number>& places,
+  void add_cuts(bool at_joints);
+  [[nodiscard]] bool add_cuts_inside(std::uint32_t bezier, const std::vector<Place_number>& places,
                                      std::vector<std::uint32_t>& nodes);
   [[nodiscard]] std::uint32_t node_of(Place_number p) const;
   [[nodiscard]] std::uint32_t cut_of(Place_number p) const { return cut_of_node_[node_of(p)]; }
@@ -139,10 +134,12 @@ class Cut_curves {
   [[nodiscard]] std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to) const;
 
   const Segment_hierarchy& curves_;
-  Meeting_places& places_;
-  // While cuts and edges are made:
-  std::vector<std::uint32_t> node_behind_;  // a Bezier piece: the joint there, or the end of an open curve
-  Joined_sets nodes_;                       // joints, ends of open curves, places of meetings
+  mutable Meeting_places places_;  // its exact numbers are made when they are asked for
+  // While cuts and edges are made. Nodes are the joints by Bezier piece, the ends of open curves, the places of
+  // meetings.
+  std::uint32_t first_place_;
+  std::vector<std::uint32_t> node_behind_;  // a Bezier piece
+  Joined_sets nodes_;
   std::vector<std::uint32_t> cut_of_node_;  // NO_NUMBER of those that are no cuts
 
   std::vector<Curve_cut> cuts_;  // in the order of the curves
@@ -153,7 +150,7 @@ class Cut_curves {
   std::vector<std::uint32_t> by_vertex_, first_at_;    // cuts by vertex
   std::vector<std::uint32_t> next_member_;             // by edge
   std::uint32_t vertices_ = 0;
-  std::optional<std::pair<Place_number, Place_number>> undecided_;
+  std::optional<Place_number> undecided_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

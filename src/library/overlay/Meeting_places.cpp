@@ -14,36 +14,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
 namespace CGAL::Bounding_arcs::internal {
 
-Meeting_runs::Meeting_runs(const std::vector<Meeting>& meetings, std::size_t count) : sorted_(count), run_of_(count) {
-  std::iota(sorted_.begin(), sorted_.end(), 0U);
-  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t i, std::uint32_t j) {
-    const Meeting &p = meetings[i], &q = meetings[j];
-    return std::tie(p.bezier, p.t[0].lower) < std::tie(q.bezier, q.t[0].lower);
-  });
-  double upper = 0;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const Meeting& m = meetings[sorted_[k]];
-    const bool is_first = k == 0 || m.bezier != meetings[sorted_[k - 1]].bezier || m.t[0].lower > upper;
-    if (is_first) first_of_run_.push_back(k);
-    upper = is_first ? m.t[0].upper : (std::max)(upper, m.t[0].upper);
-    run_of_[sorted_[k]] = static_cast<std::uint32_t>(first_of_run_.size() - 1);
-  }
-  first_of_run_.push_back(static_cast<std::uint32_t>(count));
-}
-
 Meeting_places::Meeting_places(const Segment_hierarchy& a, const Segment_hierarchy& b,
                                const Numbered_intersections& found)
     : curves_{&a, &b} {
   meetings_.reserve(found.points.size() + 2 * found.overlaps.size());
-  for (const Numbered_point& p : found.points)
+  for (const Numbered_point& p : found.points) {
+    if (p.common.kind == Intersection_kind::UNDECIDED && !undecided_)
+      undecided_ = static_cast<Place_number>(2 * meetings_.size());
     meetings_.push_back({{p.beziers.first, p.beziers.second}, {p.common.a, p.common.b}});
+  }
   first_overlap_ = meetings_.size();
   for (const Numbered_overlap& o : found.overlaps) {
     meetings_.push_back({{o.beziers.first, o.beziers.second}, {o.common.a_from, o.common.b_from}});
@@ -76,10 +61,8 @@ namespace {
 [[nodiscard]] int sign_of_slope(const Bezier_evaluator& curve, const Bracket& range, double Xy<double>::*axis) {
   const auto& p = curve.curve().control_points();
   if (p.size() == 2) return p[0].*axis < p[1].*axis ? 1 : (p[0].*axis > p[1].*axis ? -1 : 0);
-  const double t = range.middle();
-  const Curve_jet jet = curve(t);
-  const double room = curve.errors_at(t, jet).first + range.width() * curve.second_bound();
-  return jet.first.*axis > room ? 1 : (jet.first.*axis < -room ? -1 : 0);
+  const Derivative_in_range slope = derivative_in(curve, range);
+  return slope.value.*axis > slope.error ? 1 : (slope.value.*axis < -slope.error ? -1 : 0);
 }
 
 }  // namespace
@@ -89,7 +72,7 @@ Meeting_places::Known_point Meeting_places::known_point(const Meeting& m) const 
   for (const std::size_t i : {0, 1}) {
     if (curves_[i]->rounding(m.bezier[i]) != 0) continue;
     const Bezier_curve_2<double>& c = curves_[i]->bezier(m.bezier[i]);
-    if (m.t[i].is_single() && (m.t[i].lower == 0 || m.t[i].lower == 1)) {
+    if (is_end_of_piece(m.t[i])) {
       const Xy<double>& end = m.t[i].lower == 0 ? c.control_points().front() : c.control_points().back();
       return {end.x, end.y};
     }
@@ -115,42 +98,34 @@ std::optional<int> Meeting_places::compare_by_known_points(Place_number p, Place
   return by_x ? by_x : order(a.y, b.y, &Xy<double>::y);
 }
 
-std::optional<std::pair<Place_number, Place_number>> Meeting_places::sort(std::vector<Place_number>& places,
-                                                                          std::vector<std::size_t>& first_of_class) {
-  first_of_class.clear();
+Sorted_places Meeting_places::sorted(std::vector<Place_number> places) {
   std::sort(places.begin(), places.end(), [this](Place_number p, Place_number q) {
     const Bracket &a = bracket(p), &b = bracket(q);
     return std::tie(a.lower, a.upper, p) < std::tie(b.lower, b.upper, q);
   });
-  std::vector<std::vector<Place_number>> classes;  // of those whose brackets touch
-  for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
-    double upper = bracket(places[first]).upper;
-    for (end = first + 1; end < places.size() && bracket(places[end]).lower <= upper; ++end)
-      upper = (std::max)(upper, bracket(places[end]).upper);
-    first_of_class.push_back(first);
-    if (end == first + 1) continue;
-    classes.assign(1, {places[first]});
-    for (std::size_t i = first + 1; i < end; ++i) {
-      std::size_t low = 0, high = classes.size();
-      while (low < high) {
-        const std::size_t middle = low + (high - low) / 2;
-        const std::optional<int> order = compare(places[i], classes[middle].front());
-        if (!order) return std::pair(places[i], classes[middle].front());
-        if (*order == 0) {
-          classes[middle].push_back(places[i]);
-          break;
-        }
-        (*order < 0 ? high : low) = *order < 0 ? middle : middle + 1;
+  Sorted_places result;
+  auto& classes = result.classes;
+  std::size_t first = 0;  // of the classes whose brackets touch
+  double upper = 0;       // of these
+  for (const Place_number p : places) {
+    const bool is_apart = bracket(p).lower > upper;
+    if (is_apart) first = classes.size();
+    upper = is_apart ? bracket(p).upper : (std::max)(upper, bracket(p).upper);
+    std::size_t low = first, high = classes.size();
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      const Place_number known = classes[middle].front();
+      const std::optional<int> order = compare(p, known);
+      if (!order) return {{}, p};
+      if (*order == 0) {
+        classes[middle].push_back(p);
+        break;
       }
-      if (low == high) classes.insert(classes.begin() + static_cast<std::ptrdiff_t>(low), {places[i]});
+      (*order < 0 ? high : low) = *order < 0 ? middle : middle + 1;
     }
-    std::size_t next = first;
-    for (std::size_t k = 0; k < classes.size(); ++k) {
-      if (k > 0) first_of_class.push_back(next);
-      for (const Place_number p : classes[k]) places[next++] = p;
-    }
+    if (low == high) classes.insert(classes.begin() + static_cast<std::ptrdiff_t>(low), {p});
   }
-  return std::nullopt;
+  return result;
 }
 
 // Filter: a line that crosses two lines with the same ends, as those of a curve and of its copy.
@@ -200,15 +175,18 @@ Exact_parameter Meeting_places::found_parameter(Place_number p) {
   return found.size() == 1 ? found.front() : told_apart(p);
 }
 
-// The common points of two pieces whose brackets touch, from one on: their places on the first curve.
-std::vector<Place_number> Meeting_places::touching(Place_number p) {
-  if (!runs_) runs_.emplace(meetings_, first_overlap_);
+// The common points of two pieces whose brackets touch, from one on: their places on the first curve. Points of the
+// same two pieces are found one after the other, but for common ends, which touch no other point.
+std::vector<Place_number> Meeting_places::touching(Place_number p) const {
+  const auto is_of_pair = [&](Place_number q) { return meetings_[q / 2].bezier == meetings_[p / 2].bezier; };
+  const auto end = static_cast<Place_number>(2 * first_overlap_);
   std::vector<Place_number> group{p - p % 2};
+  Place_number first = group.front();
+  while (first > 0 && is_of_pair(first - 2)) first -= 2;
   for (std::size_t i = 0; i < group.size(); ++i)
-    for (const std::uint32_t m : runs_->run_of(p / 2))
-      if (const Place_number q = 2 * m; bracket(q).touches(bracket(group[i])) &&
-                                        bracket(q + 1).touches(bracket(group[i] + 1)) &&
-                                        std::find(group.begin(), group.end(), q) == group.end())
+    for (Place_number q = first; q < end && is_of_pair(q); q += 2)
+      if (bracket(q).touches(bracket(group[i])) && bracket(q + 1).touches(bracket(group[i] + 1)) &&
+          std::find(group.begin(), group.end(), q) == group.end())
         group.push_back(q);
   std::sort(group.begin(), group.end());  // the same from each of them on
   return group;

@@ -9,7 +9,7 @@
 //   - single doubles are compared;
 //   - where x or y of both points is a double, at an end or on a line along an axis, and the curve is monotone in it
 //     over both brackets, these doubles are compared;
-//   - otherwise the parameters themselves are: rational numbers, or roots of polynomials (Exact_parameter.h).
+//   - otherwise the parameters themselves are: rational numbers, or roots of polynomials (Exact_curve.h).
 // Nothing is joined by how near it is.
 
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_MEETING_PLACES_H
@@ -22,9 +22,13 @@
 #include "../query/join_intersections.h"
 #include "../tree/Segment_hierarchy.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +37,28 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
+
+/// The derivative of a curve at a parameter somewhere in a range: about, and how far it may be from that.
+struct Derivative_in_range {
+  Xy<double> value;
+  double error;
+};
+/// \param rounding how far exact control points are from those of the curve
+[[nodiscard]] inline Derivative_in_range derivative_in(const Bezier_evaluator& curve, const Bracket& t,
+                                                       double rounding = 0) {
+  const Curve_jet jet = curve(t.middle());
+  const double error = curve.errors_at(t.middle(), jet).first;
+  return {jet.first, error + curve.first_change(rounding, error) +
+                         t.width() * (curve.second_bound() + curve.second_change(rounding))};
+}
+/// The doubles around a number that is known up to an error.
+[[nodiscard]] inline Bracket range_around(double middle, double error) {
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  if (error == 0) return {middle, middle};
+  return {std::nextafter(middle - error, -INFINITE), std::nextafter(middle + error, INFINITE)};
+}
+/// Whether a parameter is that of an end.
+[[nodiscard]] inline bool is_end_of_piece(const Bracket& t) { return t.is_single() && (t.lower == 0 || t.lower == 1); }
 
 /// A common point, or an end of a part along which curves run together: where it is on either curve.
 struct Meeting {
@@ -46,24 +72,13 @@ template <class T> struct List_part {
   [[nodiscard]] const T* end() const { return last; }
 };
 
-/// Meetings of the same two pieces in runs: from one to the next, brackets on the first piece touch.
-class Meeting_runs {
- public:
-  /// \param count how many of the meetings are in runs, from the first one on
-  Meeting_runs(const std::vector<Meeting>& meetings, std::size_t count);
-
-  /// The run of a meeting, with all that touch it.
-  [[nodiscard]] List_part<std::uint32_t> run_of(std::uint32_t meeting) const {
-    const std::uint32_t run = run_of_[meeting];
-    return {sorted_.data() + first_of_run_[run], sorted_.data() + first_of_run_[run + 1]};
-  }
-
- private:
-  std::vector<std::uint32_t> sorted_, run_of_, first_of_run_;
-};
-
 /// The place of a meeting on one of its curves: 2 times the meeting's number, plus 1 for the second curve.
 using Place_number = std::uint32_t;
+/// Places on one Bezier piece in their order, equal ones in one class.
+struct Sorted_places {
+  std::vector<boost::container::small_vector<Place_number, 2>> classes;
+  std::optional<Place_number> undecided;  ///< one whose order is open; then there is no more
+};
 
 class Meeting_places {
  public:
@@ -71,6 +86,8 @@ class Meeting_places {
   Meeting_places(const Segment_hierarchy& a, const Segment_hierarchy& b, const Numbered_intersections& found);
 
   [[nodiscard]] const std::vector<Meeting>& meetings() const { return meetings_; }
+  /// The first place of which doubles leave open whether curves meet there.
+  [[nodiscard]] const std::optional<Place_number>& undecided() const { return undecided_; }
   [[nodiscard]] std::size_t number_of_overlaps() const { return (meetings_.size() - first_overlap_) / 2; }
   /// The numbers of an overlap's ends: a_from, b_from, a_to, b_to.
   [[nodiscard]] Place_number overlap_place(std::size_t overlap, std::size_t end) const {
@@ -83,11 +100,7 @@ class Meeting_places {
   /// The order of two places on one Bezier piece: -1, 0 or 1.
   /// \return nothing where doubles leave it open and there are no exact decisions
   [[nodiscard]] std::optional<int> compare(Place_number p, Place_number q);
-  /// Sorts places on one Bezier piece, so that equal ones stand together.
-  /// \param first_of_class where each class of equal places begins
-  /// \return two places whose order is open, if there are any
-  [[nodiscard]] std::optional<std::pair<Place_number, Place_number>> sort(std::vector<Place_number>& places,
-                                                                          std::vector<std::size_t>& first_of_class);
+  [[nodiscard]] Sorted_places sorted(std::vector<Place_number> places);
   /// The exact parameter of a place. \pre decisions are exact
   [[nodiscard]] const Exact_parameter& parameter(Place_number p);
   /// A Bezier piece in exact numbers.
@@ -105,7 +118,7 @@ class Meeting_places {
   struct Exact_pair {
     Exact_parameter t, s;
   };
-  [[nodiscard]] std::vector<Place_number> touching(Place_number p);
+  [[nodiscard]] std::vector<Place_number> touching(Place_number p) const;
   [[nodiscard]] Exact_parameter told_apart(Place_number p);
   [[nodiscard]] std::vector<Exact_pair> exact_pairs(const std::vector<Place_number>& group);
   [[nodiscard]] std::vector<Exact_parameter> candidates(Place_number p, const std::vector<Place_number>& beside);
@@ -117,7 +130,7 @@ class Meeting_places {
   std::array<const Segment_hierarchy*, 2> curves_;
   std::vector<Meeting> meetings_;
   std::size_t first_overlap_ = 0;
-  std::optional<Meeting_runs> runs_;  // made when they are asked for
+  std::optional<Place_number> undecided_;
   std::unordered_map<Place_number, std::unique_ptr<Exact_parameter>> parameters_;
   std::array<std::unordered_map<std::uint32_t, std::unique_ptr<Exact_curve>>, 2> exact_curves_;
   std::map<std::array<std::uint32_t, 3>, Exact_meetings> exact_meetings_;  // by pieces, and whose parameters these are

@@ -6,25 +6,26 @@
 
 #include "Overlay.h"
 #include "Component_rays.h"
-#include "Vertex_order.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include "../query/Intersection_search.h"
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include "../tree/Segment_hierarchy.h"
 
+#include <CGAL/FPU.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace CGAL::Bounding_arcs::internal {
 
-Overlay::Overlay(const Segment_hierarchy& curves, const Cut_options& options) : curves_(curves) {
-  if (!find_places()) return;
-  cut_ = std::make_unique<Cut_curves>(curves, *places_, options);
-  if (const auto& undecided = cut_->undecided()) {
-    const Place_number p = undecided->first;
-    open_at(places_->bezier_of(p), places_->bracket(p), places_->bezier_of(p ^ 1U));
+Overlay::Overlay(const Segment_hierarchy& curves, bool at_joints) : curves_(curves), cut_(curves, at_joints) {
+  if (const std::optional<Place_number>& p = cut_.undecided()) {
+    const Meeting_places& places = cut_.places();
+    open_at(places.bezier_of(*p), places.bracket(*p), places.bezier_of(*p ^ 1U));
     return;
   }
   find_points();
@@ -37,28 +38,17 @@ void Overlay::open_at(std::uint32_t bezier, const Bracket& t, std::uint32_t othe
   open_ = {curves_.evaluator(bezier)(t.middle()).point, bezier, other};
 }
 
-bool Overlay::find_places() {
-  const Numbered_intersections found = Intersection_search(curves_).by_pieces();
-  for (const Numbered_point& p : found.points) {
-    if (p.common.kind != Intersection_kind::UNDECIDED) continue;
-    open_at(p.beziers.first, p.common.a, p.beziers.second);
-    return false;
-  }
-  places_ = std::make_unique<Meeting_places>(curves_, curves_, found);
-  return true;
-}
-
 std::uint32_t Overlay::vertex_at(std::uint32_t edge, bool at_start) const {
-  const Cut_edge& e = cut_->edges()[edge];
-  return cut_->cuts()[at_start ? e.first : e.last].vertex;
+  const Cut_edge& e = cut_.edges()[edge];
+  return cut_.cuts()[at_start ? e.first : e.last].vertex;
 }
 
 // A point is computed on that curve at a vertex on which it errs least, by rounding and by the width of its bracket;
 // control points do not err.
 void Overlay::find_points() {
-  points_.resize(cut_->number_of_vertices());
+  points_.resize(cut_.number_of_vertices());
   std::vector<double> error(points_.size(), std::numeric_limits<double>::infinity());
-  for (const Curve_cut& c : cut_->cuts()) {
+  for (const Curve_cut& c : cut_.cuts()) {
     const Bezier_evaluator& curve = curves_.evaluator(c.at.bezier);
     double own = curves_.rounding(c.at.bezier) + (c.place == NO_NUMBER ? 0 : curve.point_error());
     if (!(own < error[c.vertex])) continue;
@@ -70,33 +60,138 @@ void Overlay::find_points() {
   }
 }
 
+namespace {
+
+// The order of edges round a vertex, counterclockwise. Directions in doubles tell it where they are apart by more than
+// their errors; of those that are not, ways are compared exactly (Exact_curve.h).
+
+/// An end of an edge.
+struct Edge_end {
+  std::uint32_t edge;
+  bool is_start;
+};
+/// The direction in which an edge leaves its end, as an angle; an error of PI says that it is open.
+struct Direction {
+  Edge_end end;
+  double angle, error;
+};
+using Directions = std::vector<Direction>;
+constexpr double PI = 3.141592653589793, TURN = 6.283185307179586;
+
+// The part of the edge on the Bezier piece at its end.
+[[nodiscard]] Bezier_span span_at(const Cut_curves& cut, const Edge_end& end) {
+  const std::vector<Bezier_span> spans = cut.spans_of(end.edge);
+  return end.is_start ? spans.front() : spans.back();
+}
+
+[[nodiscard]] Direction direction_at(const Cut_curves& cut, const Edge_end& end) {
+  const Bezier_span span = span_at(cut, end);
+  const Bracket& range = end.is_start ? span.from : span.to;
+  const Derivative_in_range along =
+      derivative_in(cut.curves().evaluator(span.bezier), range, cut.curves().rounding(span.bezier));
+  const double speed = euclidean_norm(along.value);
+  constexpr double CERTAIN = 4, ROUNDING = 16 * HALF_ULP;
+  const Xy<double> way = end.is_start ? along.value : -along.value;
+  // the sine of the angle between it and the true one is at most error / speed, a quarter
+  const bool is_certain = speed > CERTAIN * along.error;
+  return {end, std::atan2(way.y, way.x), is_certain ? 2 * along.error / speed + ROUNDING : PI};
+}
+
+// Whether doubles do not tell q from p, the one before it.
+[[nodiscard]] bool are_close(const Direction& p, const Direction& q, bool is_past_turn) {
+  return q.angle - p.angle + (is_past_turn ? TURN : 0) <= p.error + q.error;
+}
+
+[[nodiscard]] Exact_way exact_way_of(const Cut_curves& cut, const Edge_end& end) {
+  const Bezier_span span = span_at(cut, end);
+  const Exact_parameter &from = cut.start_of(span), &to = cut.end_of(span);
+  Exact_curve& curve = cut.places().curve(cut.curves(), span.bezier);
+  return end.is_start ? exact_way(curve, from, to) : exact_way(curve, to, from);
+}
+
+// Ways by sector from the first one's, and within a sector by which is above.  Those that are close in directions are
+// within less than half a turn; all of them are in order from anywhere.
+void sort_exactly(const Cut_curves& cut, Directions::iterator first, Directions::iterator last, bool is_whole_turn) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  struct Exact {
+    Edge_end end;
+    Exact_way way;
+    int sector;
+  };
+  std::vector<Exact> exact;
+  for (auto w = first; w != last; ++w) {
+    Exact_way way = exact_way_of(cut, w->end);
+    const int sector = way.sector();
+    exact.push_back({w->end, std::move(way), sector});
+  }
+  constexpr int SECTORS = 8, HALF = 4;
+  int start = 0;  // all sectors are less than half a turn from it on
+  if (!is_whole_turn)
+    for (const Exact& e : exact) {
+      const auto is_behind = [&](const Exact& o) { return (o.sector - e.sector + SECTORS) % SECTORS < HALF; };
+      if (std::all_of(exact.begin(), exact.end(), is_behind)) start = e.sector;
+    }
+  const auto is_before = [&](const Exact& p, const Exact& q) {
+    const int a = (p.sector - start + SECTORS) % SECTORS, b = (q.sector - start + SECTORS) % SECTORS;
+    return a != b ? a < b : is_counterclockwise_of(q.way, p.way);
+  };
+  for (std::size_t i = 1; i < exact.size(); ++i)  // few of them: by insertion
+    for (std::size_t k = i; k > 0 && is_before(exact[k], exact[k - 1]); --k) std::swap(exact[k], exact[k - 1]);
+  for (const Exact& e : exact) first++->end = e.end;
+}
+
+/// Sorts ends at one vertex counterclockwise. \pre no two are of one class
+/// \return false where that is not decided
+[[nodiscard]] bool sort_counterclockwise(const Cut_curves& cut, std::vector<Edge_end>& ends) {
+  Directions ways;
+  for (const Edge_end& e : ends) ways.push_back(direction_at(cut, e));
+  std::sort(ways.begin(), ways.end(), [](const Direction& p, const Direction& q) { return p.angle < q.angle; });
+  const std::size_t n = ways.size();
+  // One whose direction is open, as at a cusp, may be anywhere.
+  const bool are_certain = std::all_of(ways.begin(), ways.end(), [](const Direction& w) { return w.error < PI; });
+  std::size_t first = are_certain ? 0 : n;  // behind a gap
+  while (first < n && are_close(ways[(first + n - 1) % n], ways[first], first == 0)) ++first;
+  const bool has_gap = first < n;
+  if (has_gap) std::rotate(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(first), ways.end());
+  for (std::size_t i = 0, j = 0; i < n; i = j) {
+    for (j = has_gap ? i + 1 : n; j < n && are_close(ways[j - 1], ways[j], j == n - first);) ++j;
+    if (j - i == 1) continue;
+    if (cut.curves().decisions() != Decisions::EXACT) return false;
+    sort_exactly(cut, ways.begin() + static_cast<std::ptrdiff_t>(i), ways.begin() + static_cast<std::ptrdiff_t>(j),
+                 j - i == n);
+  }
+  for (std::size_t i = 0; i < n; ++i) ends[i] = ways[i].end;
+  return true;
+}
+
+}  // namespace
+
 bool Overlay::link() {
-  next_.assign(2 * cut_->edges().size(), NO_NUMBER);
-  Vertex_order order(*cut_);
-  for (std::uint32_t v = 0; v < cut_->number_of_vertices(); ++v)
-    if (!link_at(v, order)) return false;
-  for (std::uint32_t e = 0; e < cut_->edges().size(); ++e) {
-    if (cut_->edges()[e].first != NO_NUMBER || !cut_->is_representative(e)) continue;
-    const bool is_lone_point = cut_->is_point(curves_.number_of_bezier(cut_->edges()[e].curve, 0));
+  next_.assign(2 * cut_.edges().size(), NO_NUMBER);
+  for (std::uint32_t v = 0; v < cut_.number_of_vertices(); ++v)
+    if (!link_at(v)) return false;
+  for (std::uint32_t e = 0; e < cut_.edges().size(); ++e) {
+    if (cut_.edges()[e].first != NO_NUMBER || !cut_.is_representative(e)) continue;
+    const bool is_lone_point = cut_.is_point(curves_.number_of_bezier(cut_.edges()[e].curve, 0));
     for (const bool is_reversed : {false, true})
       next_[side_of(e, is_reversed)] = side_of(e, is_reversed != is_lone_point);
   }
   return true;
 }
 
-bool Overlay::link_at(std::uint32_t vertex, Vertex_order& order) {
+bool Overlay::link_at(std::uint32_t vertex) {
   std::vector<Edge_end> ends;
   const auto add = [&](std::uint32_t edge, bool is_start) {
-    if (edge != NO_NUMBER && cut_->is_representative(edge)) ends.push_back({edge, is_start});
+    if (edge != NO_NUMBER && cut_.is_representative(edge)) ends.push_back({edge, is_start});
   };
-  for (std::uint32_t i = cut_->first_at(vertex); i < cut_->first_at(vertex + 1); ++i) {
-    const std::uint32_t cut = cut_->cuts_by_vertex()[i];
-    add(cut_->edge_after(cut), true);
-    add(cut_->edge_before(cut), false);
+  for (std::uint32_t i = cut_.first_at(vertex); i < cut_.first_at(vertex + 1); ++i) {
+    const std::uint32_t cut = cut_.cuts_by_vertex()[i];
+    add(cut_.edge_after(cut), true);
+    add(cut_.edge_before(cut), false);
   }
   const std::size_t n = ends.size();
-  if (n > 2 && !order.sort(ends)) {
-    const auto bezier = [&](std::size_t i) { return cut_->spans_of(ends[i].edge).front().bezier; };
+  if (n > 2 && !sort_counterclockwise(cut_, ends)) {
+    const auto bezier = [&](std::size_t i) { return cut_.spans_of(ends[i].edge).front().bezier; };
     open_ = {points_[vertex], bezier(0), bezier(1)};
     return false;
   }
@@ -125,7 +220,7 @@ void Overlay::trace() {
 //   once counterclockwise for that ring of each component which bounds the face that the start is in;
 //   once clockwise for the outer ring of a component that the start is inside of, not for another one.
 void Overlay::nest() {
-  const Component_rays rays(*cut_);
+  const Component_rays rays(cut_);
   const auto components = static_cast<std::uint32_t>(rays.number_of_components());
   struct Around {
     std::uint32_t component, ring;
@@ -134,13 +229,13 @@ void Overlay::nest() {
   std::vector<std::uint32_t> outer(components, NO_NUMBER);  // rings
   std::vector<int> number(number_of_rings(), 0);
   const auto component_of_ring = [&](std::uint32_t ring) {
-    return rays.component_of(cut_->edges()[edge_of(sides_[first_of_ring_[ring]])].curve);
+    return rays.component_of(cut_.edges()[edge_of(sides_[first_of_ring_[ring]])].curve);
   };
   for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring) outer[component_of_ring(ring)] = ring;
   for (std::uint32_t c = 0; c < components; ++c) {
     const std::optional<Edge_ray> ray = rays.from(c);
     if (!ray) {
-      const auto& edges = cut_->edges();
+      const auto& edges = cut_.edges();
       const auto own =
           std::find_if(edges.begin(), edges.end(), [&](const Cut_edge& e) { return rays.component_of(e.curve) == c; });
       const std::uint32_t bezier = curves_.number_of_bezier(own->curve, 0);

@@ -19,7 +19,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,17 +31,16 @@ struct Open_place {
   std::uint32_t bezier_a, bezier_b;
 };
 
-class Vertex_order;
-
 class Overlay {
  public:
-  explicit Overlay(const Segment_hierarchy& curves, const Cut_options& options = {});
+  /// \param at_joints whether curves are cut where Bezier pieces meet, too
+  explicit Overlay(const Segment_hierarchy& curves, bool at_joints = false);
 
   /// What is open. Then there is nothing else.
   [[nodiscard]] const std::optional<Open_place>& open() const { return open_; }
 
   [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
-  [[nodiscard]] const Cut_curves& cut() const { return *cut_; }
+  [[nodiscard]] const Cut_curves& cut() const { return cut_; }
   /// About where vertices are: all edges there have this point.
   [[nodiscard]] const std::vector<Xy<double>>& points() const { return points_; }
   [[nodiscard]] std::uint32_t vertex_at(std::uint32_t edge, bool at_start) const;  ///< \pre it has cuts
@@ -68,17 +66,15 @@ class Overlay {
   template <class Cross, class Visit> void for_each_face(const Cross& cross, const Visit& visit) const;
 
  private:
-  [[nodiscard]] bool find_places();
   void find_points();
   [[nodiscard]] bool link();
-  [[nodiscard]] bool link_at(std::uint32_t vertex, Vertex_order& order);
+  [[nodiscard]] bool link_at(std::uint32_t vertex);
   void trace();
   void nest();
   void open_at(std::uint32_t bezier, const Bracket& t, std::uint32_t other);
 
   const Segment_hierarchy& curves_;
-  std::unique_ptr<Meeting_places> places_;
-  std::unique_ptr<Cut_curves> cut_;
+  Cut_curves cut_;
   std::optional<Open_place> open_;
   std::vector<Xy<double>> points_;            // by vertex
   std::vector<Edge_side> next_;               // by side

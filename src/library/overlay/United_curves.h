@@ -22,9 +22,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// The place that a Bezier piece of all operands together has in its own.
-struct Operand_bezier {
-  std::uint32_t operand, curve, bezier;
-};
+using Operand_bezier = Overlay_2::Undecided::Of;
 
 /// The segments of all operands together, as their trees have cut them, without pieces of curves that are single
 /// points.
@@ -72,11 +70,7 @@ enum class Lone_points { DROPPED, KEPT };
 
 /// Returns what an overlay of united curves left open, by operands.
 [[nodiscard]] inline Overlay_2::Undecided undecided_meeting(const Open_place& open, const United_curves& united) {
-  const auto of = [&](std::uint32_t bezier) {
-    const Operand_bezier& at = united.beziers[bezier];
-    return Overlay_2::Undecided::Of{at.operand, at.curve, at.bezier};
-  };
-  return {united.unit.out(open.point), of(open.bezier_a), of(open.bezier_b)};
+  return {united.unit.out(open.point), united.beziers[open.bezier_a], united.beziers[open.bezier_b]};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

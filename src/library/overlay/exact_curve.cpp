@@ -4,9 +4,9 @@
 //
 // Bodies of Exact_curve.h.
 //
-// In one sector x and y are strictly monotone, but along an axis, where one way goes at high_end.  At the x of a point
-// p of the one, the other one is above or below p: neither meets the other between the common point and there.  So
-// order needs no tangent, and no number but rational ones.
+// In one sector x and y are strictly monotone, but along an axis, where one way goes at most.  At the x of a point of
+// the one, the other one is above or below that point: neither meets the other between the common point and there.  So
+// order needs no tangent.
 
 #include "Exact_curve.h"
 
@@ -27,14 +27,21 @@ Exact_point Exact_curve::point(const Exact_rational& t) const {
   return {Exact_rational(value_at(piece_.x, t) / w), Exact_rational(value_at(piece_.y, t) / w)};
 }
 
+std::vector<Exact_parameter> turns_of(const Univariate& n, const Univariate& w) {
+  std::vector<Exact_parameter> turns;
+  const Univariate change = derivative_numerator(n, w);
+  if (change.is_zero()) return turns;
+  for (const Real_root& t : unit_roots(odd_part(change)))
+    if (Exact_parameter turn(t); turn.compare(Exact_rational(0)) > 0 && turn.compare(Exact_rational(1)) < 0)
+      turns.push_back(std::move(turn));
+  return turns;
+}
+
 const std::vector<Exact_parameter>& Exact_curve::turns() {
   if (!turns_) {
-    turns_.emplace();
-    for (const Univariate* n : {&piece_.x, &piece_.y}) {
-      const Univariate change = derivative_numerator(*n, piece_.w);
-      if (change.is_zero()) continue;
-      for (const Real_root& t : unit_roots(odd_part(change))) turns_->emplace_back(t);
-    }
+    turns_ = turns_of(piece_.x, piece_.w);
+    const std::vector<Exact_parameter> of_y = turns_of(piece_.y, piece_.w);
+    turns_->insert(turns_->end(), of_y.begin(), of_y.end());
     std::sort(turns_->begin(), turns_->end(),
               [](const Exact_parameter& p, const Exact_parameter& q) { return p.compare(q) < 0; });
   }
@@ -71,69 +78,25 @@ Exact_way exact_way(Exact_curve& curve, const Exact_parameter& from, const Exact
 
 namespace {
 
-/// Goes nearer and nearer to the start of a way.
-class Nearing {
- public:
-  explicit Nearing(const Exact_way& way) : way_(way), t_(way.to), is_forward_(way.from->compare(way.to) < 0) {}
-
-  [[nodiscard]] const Exact_rational& t() const { return t_; }
-  void go_on() {
-    constexpr int MOST = 1 << 12;  // ways from one point need no more but where curves differ by 2^-4096
-    if (++count_ == MOST) throw std::logic_error(expected("order round a vertex", "ways from one point", "from two"));
-    do way_.from->refine();
-    while (is_forward_ ? bound() >= t_ : bound() <= t_);
-    t_ = (bound() + t_) / Exact_rational(2);
+/// The sign of a way's y less that of a point, at the point's x. \pre the way has that x
+[[nodiscard]] int sign_above(const Exact_way& way, const Exact_point& p) {
+  const Integer_piece& piece = way.curve->piece();
+  for (Real_root& t : unit_roots(moved(piece.x, piece.w, p.x))) {
+    const Exact_parameter at(t);
+    const int from = way.from->compare(at), to = at.compare(way.to);
+    if (from != 0 && from * to >= 0) return t.sign_of(moved(piece.y, piece.w, p.y));
   }
-
- private:
-  [[nodiscard]] Exact_rational bound() const { return is_forward_ ? way_.from->upper() : way_.from->lower(); }
-
-  const Exact_way& way_;
-  Exact_rational t_;
-  bool is_forward_;
-  int count_ = 0;
-};
-
-/// The sign of y at the only parameter between two others at which x is 0, in homogeneous coordinates.
-[[nodiscard]] int sign_between(const Univariate& x, const Univariate& y, Exact_rational low, Exact_rational high) {
-  const auto at_low = CGAL::sign(value_at(x, low));
-  constexpr int MOST = 1 << 12;  // where ways do not meet again, as for Nearing
-  for (int i = 0; i < MOST; ++i) {
-    const Exact_range over = values_over(y, {low, high});
-    if (CGAL::is_positive(over.lower)) return 1;
-    if (CGAL::is_negative(over.upper)) return -1;
-    const Exact_rational half = (low + high) / Exact_rational(2);
-    const auto at_half = CGAL::sign(value_at(x, half));
-    if (at_half == CGAL::ZERO) {
-      const auto sign = CGAL::sign(value_at(y, half));
-      if (sign == CGAL::ZERO) break;
-      return static_cast<int>(sign);
-    }
-    (at_half == at_low ? low : high) = half;
-  }
-  throw std::logic_error(expected("order round a vertex", "ways that do not meet again", "a common point"));
+  return 0;
 }
 
 }  // namespace
 
 bool is_counterclockwise_of(const Exact_way& q, const Exact_way& p) {
-  // p's point at a parameter so near that q runs beyond its x
-  const Exact_rational beyond = q.curve->point(q.to).x;
-  const auto is_ahead = [&](const Exact_rational& x, const Exact_rational& of) {
-    return p.x_sign > 0 ? of < x : x < of;
-  };
-  Nearing of_p(p), of_q(q);
-  Exact_point at = p.curve->point(of_p.t());
-  while (!is_ahead(beyond, at.x)) {
-    of_p.go_on();
-    at = p.curve->point(of_p.t());
-  }
-  do of_q.go_on();
-  while (!is_ahead(at.x, q.curve->point(of_q.t()).x));
-  const Exact_rational& near = of_q.t();
-  const Integer_piece& piece = q.curve->piece();
-  const int above = sign_between(moved(piece.x, piece.w, at.x), moved(piece.y, piece.w, at.y), (std::min)(near, q.to),
-                                 (std::max)(near, q.to));
+  const Exact_point of_p = p.curve->point(p.to), of_q = q.curve->point(q.to);
+  const bool is_p_nearer = p.x_sign > 0 ? of_p.x < of_q.x : of_q.x < of_p.x;
+  const int above = is_p_nearer ? sign_above(q, of_p) : -sign_above(p, of_q);  // of q
+  if (above == 0)
+    throw std::logic_error(expected("order round a vertex", "ways that do not meet again", "a common point"));
   return above == p.x_sign;
 }
 

@@ -7,10 +7,13 @@
 //   trees -> one list of segments -> Overlay -> vertices with brackets, edges with their sources, faces in an order of
 //   visits
 
+#include "Boundary_sum.h"
 #include "Overlay.h"
 #include "United_curves.h"
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/overlay/overlay.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include "../tree/Segment_hierarchy.h"
 
 #include <algorithm>
@@ -19,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -36,12 +40,6 @@ struct Point_box {
   }
 };
 
-[[nodiscard]] Bracket range_around(double middle, double error) {
-  constexpr double INFINITE = std::numeric_limits<double>::infinity();
-  if (error == 0) return {middle, middle};
-  return {std::nextafter(middle - error, -INFINITE), std::nextafter(middle + error, INFINITE)};
-}
-
 /// The box of a Bezier piece's points with parameters in a bracket: by its derivative, and by its control points.
 [[nodiscard]] Point_box box_at(const Segment_hierarchy& curves, std::uint32_t bezier, const Bracket& t) {
   const Bezier_evaluator& curve = curves.evaluator(bezier);
@@ -51,8 +49,7 @@ struct Point_box {
   const double reach = t.is_single() ? 0 : ROUNDED_UP_HALF * t.width() + std::numeric_limits<double>::denorm_min();
   const double slack = curve.errors_at(at, jet).first + curve.first_change(rounding) +
                        reach * (curve.second_bound() + curve.second_change(rounding));
-  const bool is_control_point = t.is_single() && (t.lower == 0 || t.lower == 1);
-  const double error = rounding + (is_control_point ? 0 : curve.point_error());
+  const double error = rounding + (is_end_of_piece(t) ? 0 : curve.point_error());  // of the point
   Point_box box{range_around(jet.point.x, (error + reach * (std::fabs(jet.first.x) + slack)) * UP),
                 range_around(jet.point.y, (error + reach * (std::fabs(jet.first.y) + slack)) * UP)};
   const auto& points = curve.curve().control_points();
@@ -83,13 +80,11 @@ class Overlay_writer {
   // Faces in the order of visits, so that a face comes after the one that its way out leads to.
   void number_faces() {
     std::optional<Edge_side> over;
-    std::vector<Edge_side> ways_out;
     overlay_.for_each_face([&](Edge_side s) { over = s; },
                            [&](std::uint32_t face) {
-                             faces_[face] = static_cast<std::uint32_t>(ways_out.size());
-                             ways_out.push_back(over ? other_side(*over) : NO_NUMBER);
+                             faces_[face] = static_cast<std::uint32_t>(ways_out_.size());
+                             ways_out_.push_back(over ? other_side(*over) : NO_NUMBER);
                            });
-    ways_out_ = std::move(ways_out);
   }
 
   void add_vertices() {
@@ -187,20 +182,6 @@ class Overlay_writer {
   Overlay_2 result_;
 };
 
-[[nodiscard]] Overlay_2 overlay_of(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                   const Overlay_2::Options& options) {
-  const United_curves united = united_curves(trees, Lone_points::KEPT);
-  const Overlay overlay(*united.segments, {options.at_joints});
-  if (overlay.open()) {
-    Overlay_2 result;
-    result.number_of_operands = trees.size();
-    result.status = Overlay_2::Status::UNDECIDED;
-    result.undecided = undecided_meeting(*overlay.open(), united);
-    return result;
-  }
-  return std::move(Overlay_writer(overlay, united, trees.size()).result());
-}
-
 }  // namespace
 
 }  // namespace CGAL::Bounding_arcs::internal
@@ -208,7 +189,35 @@ class Overlay_writer {
 namespace CGAL::Bounding_arcs {
 
 Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2::Options& options) {
-  return internal::overlay_of(trees, options);
+  const internal::United_curves united = internal::united_curves(trees, internal::Lone_points::KEPT);
+  const internal::Overlay cells(*united.segments, options.at_joints);
+  if (!cells.open()) return std::move(internal::Overlay_writer(cells, united, trees.size()).result());
+  Overlay_2 result;
+  result.number_of_operands = trees.size();
+  result.status = Overlay_2::Status::UNDECIDED;
+  result.undecided = internal::undecided_meeting(*cells.open(), united);
+  return result;
+}
+
+Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
+                         std::uint32_t face, double eps) {
+  check_tolerance(eps);
+  const Overlay_2::Face& of = overlay.faces.at(face);
+  if (!of.is_bounded) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));
+  internal::Boundary_sum sum;
+  for (const std::vector<Overlay_2::Side>& boundary : of.boundaries) {
+    for (const Overlay_2::Side& side : boundary) {
+      const Overlay_2::Source& along = overlay.edges[side.edge].sources.front();
+      const auto add = [&](const Overlay_2::Part& part) {
+        const auto bezier = trees.at(along.operand)->exact_bezier(along.curve, part.bezier);
+        sum.add(bezier, side.is_reversed ? part.to : part.from, side.is_reversed ? part.from : part.to);
+      };
+      if (side.is_reversed) std::for_each(along.parts.rbegin(), along.parts.rend(), add);
+      else std::for_each(along.parts.begin(), along.parts.end(), add);
+    }
+    sum.close();
+  }
+  return sum.bounds(eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -46,20 +46,7 @@ struct Arr_common_part {
   unsigned multiplicity = 0;  ///< 0 where it is not known
 };
 
-/// By coordinates that doubles do not tell apart.
-[[nodiscard]] Comparison_result compare_coordinates_exactly(const Arranged_point& p, const Arranged_point& q,
-                                                            bool is_x);
-
-[[nodiscard]] inline Comparison_result compare_coordinates(const Arr_point_2& p, const Arr_point_2& q, bool is_x) {
-  const Bracket &a = is_x ? p.data()->x : p.data()->y, &b = is_x ? q.data()->x : q.data()->y;
-  if (a.upper < b.lower) return SMALLER;
-  if (b.upper < a.lower) return LARGER;
-  if (p.data() == q.data() || (a.lower == a.upper && b.lower == b.upper)) return EQUAL;
-  return compare_coordinates_exactly(*p.data(), *q.data(), is_x);
-}
-[[nodiscard]] inline Comparison_result compare_x(const Arr_point_2& p, const Arr_point_2& q) {
-  return compare_coordinates(p, q, true);
-}
+[[nodiscard]] Comparison_result compare_x(const Arr_point_2& p, const Arr_point_2& q);
 [[nodiscard]] Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q);
 
 /// \pre x of p is in the range of the curve
@@ -70,10 +57,6 @@ struct Arr_common_part {
 /// \return in lexicographic order
 [[nodiscard]] std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c,
                                                         const Arr_x_monotone_curve_2& d, Meetings_of_pairs& meetings);
-/// The place of a point on the branch that a part is of, if the point is known to be there.
-[[nodiscard]] const Arranged_place* known_place(const Arr_point_2& p, const Arr_x_monotone_curve_2& c);
-/// Whether a point of the branch that a part is of is on the part, at its parameter on the curve.
-[[nodiscard]] bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c);
 /// \pre the branch of the curve runs through p
 [[nodiscard]] Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p);
 
