@@ -9,7 +9,7 @@
 #define BOUNDING_ARCS_LIBRARY_CURVE_GREEN_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include "../polynomial/common_roots.h"
+#include "../polynomial/Integer_polynomial.h"
 
 #include <cstddef>
 #include <vector>

@@ -8,12 +8,12 @@
 #ifndef BOUNDING_ARCS_LIBRARY_POLYNOMIAL_INTEGER_POLYNOMIAL_H
 #define BOUNDING_ARCS_LIBRARY_POLYNOMIAL_INTEGER_POLYNOMIAL_H
 
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 
 #include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Polynomial.h>
 #include <CGAL/Polynomial_traits_d.h>
 #include <CGAL/assertions.h>
@@ -30,6 +30,7 @@ namespace CGAL::Bounding_arcs {
 using Integer = CGAL::Exact_integer;
 using Univariate = CGAL::Polynomial<Integer>;
 using Bivariate = CGAL::Polynomial<Univariate>;  ///< coefficients of powers of s, in t
+using Exact_polynomial = Bernstein_polynomial<Exact_rational>;
 
 /// Makes a polynomial from coefficients by rising powers; leading zeros are dropped.
 template <class NT> [[nodiscard]] CGAL::Polynomial<NT> polynomial(const std::vector<NT>& c) {
@@ -66,7 +67,7 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
   return value;
 }
 /// The coefficients of powers, times a positive number.
-[[nodiscard]] inline Univariate to_powers(const Bernstein_polynomial<Exact_rational>& p) {
+[[nodiscard]] inline Univariate to_powers(const Exact_polynomial& p) {
   return to_powers(cleared(p.scaled_coefficients()).numbers);
 }
 
@@ -77,44 +78,16 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
   return r;
 }
 
-/// The greatest integer that divides all coefficients, with `start`.
-[[nodiscard]] inline Integer integer_content(const Univariate& p, Integer start = Integer(0)) {
-  for (int i = 0; i <= p.degree() && start != Integer(1); ++i) start = CGAL::gcd(start, Integer(coefficient(p, i)));
-  return start;
-}
-[[nodiscard]] inline Integer integer_content(const Bivariate& p) {
-  Integer content(0);
-  for (int j = 0; j <= p.degree(); ++j) content = integer_content(coefficient(p, j), content);
-  return content;
-}
-
 /// p over its integer content, which is positive: no sign changes.
-[[nodiscard]] inline Univariate primitive_part(const Univariate& p) {
-  const Integer content = integer_content(p);
-  if (content == Integer(0) || content == Integer(1)) return p;
-  std::vector<Integer> c;
-  for (int i = 0; i <= p.degree(); ++i) c.push_back(CGAL::integral_division(Integer(coefficient(p, i)), content));
-  return polynomial(c);
-}
-[[nodiscard]] inline Bivariate primitive_part(const Bivariate& p) {
-  const Integer content = integer_content(p);
-  if (content == Integer(0) || content == Integer(1)) return p;
-  std::vector<Univariate> c;
-  for (int j = 0; j <= p.degree(); ++j) {
-    std::vector<Integer> row;
-    const Univariate q = coefficient(p, j);
-    for (int i = 0; i <= q.degree(); ++i) row.push_back(CGAL::integral_division(coefficient(q, i), content));
-    c.push_back(polynomial(row));
-  }
-  return polynomial(c);
+template <class Coefficient>
+[[nodiscard]] CGAL::Polynomial<Coefficient> primitive_part(CGAL::Polynomial<Coefficient> p) {
+  const Integer content = CGAL::multivariate_content(p);
+  if (content != Integer(0) && content != Integer(1)) p /= content;
+  return p;
 }
 
 /// The value of p at a rational number.
-[[nodiscard]] inline Exact_rational value_at(const Univariate& p, const Exact_rational& t) {
-  Exact_rational value(0);
-  for (int i = p.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(p, i));
-  return value;
-}
+[[nodiscard]] inline Exact_rational value_at(const Univariate& p, const Exact_rational& t) { return p.evaluate(t); }
 
 /// The sign of p at num / 2^k.
 [[nodiscard]] inline int sign_at_dyadic(const Univariate& p, const Integer& num, int k) {
@@ -191,24 +164,6 @@ struct Root_multiplicities {
   return odd;
 }
 
-/// The degree in t, the inner variable.
-[[nodiscard]] inline int t_degree(const Bivariate& p) {
-  int degree = 0;
-  for (int j = 0; j <= p.degree(); ++j) degree = (std::max)(degree, coefficient(p, j).degree());
-  return degree;
-}
-
-/// Exchanges the two variables.
-[[nodiscard]] inline Bivariate transposed(const Bivariate& p) {
-  std::vector<Univariate> columns;
-  for (int i = 0; i <= t_degree(p); ++i) {
-    std::vector<Integer> c;
-    for (int j = 0; j <= p.degree(); ++j) c.push_back(coefficient(coefficient(p, j), i));
-    columns.push_back(polynomial(c));
-  }
-  return polynomial(columns);
-}
-
 /// a(t) b(s) - b(t) a(s), or with two pairs of functions a(t) d(s) - b(t) c(s).
 [[nodiscard]] inline Bivariate crossed(const Univariate& a, const Univariate& b, const Univariate& c,
                                        const Univariate& d) {
@@ -216,25 +171,6 @@ struct Root_multiplicities {
   for (int j = 0; j <= (std::max)(c.degree(), d.degree()); ++j)
     by_s.push_back(a * coefficient(d, j) - b * coefficient(c, j));
   return polynomial(by_s);
-}
-
-/// The derivative by t, the inner variable; CGAL::differentiate takes the one by s.
-[[nodiscard]] inline Bivariate derivative_by_t(const Bivariate& p) {
-  std::vector<Univariate> c;
-  for (int j = 0; j <= p.degree(); ++j) c.push_back(CGAL::differentiate(coefficient(p, j)));
-  return polynomial(c);
-}
-
-/// p(t, num/2^k) times a power of two.
-[[nodiscard]] inline Univariate at_dyadic(const Bivariate& p, const Integer& num, int k) {
-  Univariate value(Integer(0));
-  Integer power(1);
-  const Integer step = power_of_two(k);
-  for (int j = p.degree(); j >= 0; --j) {
-    value = value * num + coefficient(p, j) * power;
-    power *= step;
-  }
-  return value;
 }
 
 /// The numerator of p(t, n(t)/d(t)).
@@ -245,6 +181,11 @@ struct Root_multiplicities {
     power = power * d;
   }
   return value;
+}
+
+/// p(t, num/2^k) times a power of two.
+[[nodiscard]] inline Univariate at_dyadic(const Bivariate& p, const Integer& num, int k) {
+  return at_fraction(p, Univariate(num), Univariate(power_of_two(k)));
 }
 
 }  // namespace CGAL::Bounding_arcs

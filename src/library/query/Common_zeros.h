@@ -206,7 +206,7 @@ class Common_zeros {
     if (m.degree() < 1) return;
     std::vector<Fibre> fibres = divided_by_curve(common_fibres(m, f_, g_), excluded_).off;
     const Bivariate jacobian =
-        derivative_by_t(f_) * CGAL::differentiate(g_) - CGAL::differentiate(f_) * derivative_by_t(g_);
+        CGAL::differentiate(f_, 0) * CGAL::differentiate(g_) - CGAL::differentiate(f_) * CGAL::differentiate(g_, 0);
     const Fibre_parts parts = divided_by_curve(fibres, jacobian);
     add_fibres(parts.off, Intersection_kind::TRANSVERSAL);
     add_fibres(parts.on, Intersection_kind::TANGENTIAL);

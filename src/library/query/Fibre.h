@@ -183,7 +183,7 @@ class Fibre_isolation {
  public:
   Fibre_isolation(const Real_root& t, const Bivariate& h)
       : t_(std::make_shared<Real_root>(t)), h_(std::make_shared<const Bivariate>(h)) {
-    const Bivariate by_t = transposed(h);
+    const Bivariate by_t = CGAL::swap(h, 0, 1);
     Rows rows;
     for (int i = 0; i <= by_t.degree(); ++i) rows.push_back(to_bernstein(coefficient(by_t, i), h.degree()));
     if (sign(rows, 0) == 0) add(Integer(0), 0, 0);

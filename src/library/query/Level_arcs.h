@@ -38,7 +38,7 @@ struct Level_functions {
   const auto minor = [&at](int i0, int i1, int j0, int j1) {
     return Integer(Integer(at(i0, j0) * at(i1, j1)) - Integer(at(i1, j0) * at(i0, j1)));
   };
-  const int rows = t_degree(h) + 1, columns = h.degree() + 1;
+  const int rows = CGAL::degree(h, 0) + 1, columns = h.degree() + 1;
   for (int j0 = 0; j0 < columns; ++j0)
     for (int j1 = j0 + 1; j1 < columns; ++j1)
       for (int i0 = 0; i0 < rows; ++i0)
@@ -131,7 +131,7 @@ class Level_arcs {
  private:
   // All points whose t or s is a cut.
   void add_points() {
-    const auto h_by_t = transposed(h_);
+    const Bivariate h_by_t = CGAL::swap(h_, 0, 1);
     for (auto& [t, s] : solutions(t_.cuts(), h_)) {
       const int t_place = t_.place(t), s_place = s_.place(s);
       points_.push_back({t, s, t_place, s_place});
@@ -145,7 +145,7 @@ class Level_arcs {
   static std::vector<std::pair<Real_root, Real_root>> solutions(const Univariate& m, const Bivariate& h) {
     std::vector<std::pair<Real_root, Real_root>> r;
     for (const Fibre& fibre : common_fibres(m, h, Bivariate(Univariate(Integer(0))))) {
-      const Univariate all = CGAL::resultant(transposed(fibre.h), transposed(Bivariate(fibre.m)));
+      const Univariate all = CGAL::resultant(CGAL::swap(fibre.h, 0, 1), CGAL::swap(Bivariate(fibre.m), 0, 1));
       const std::vector<Real_root> candidates = unit_roots(all);
       for (const Real_root& t : Unit_isolation(fibre.m).roots())
         for (Fibre_root& s : Fibre_isolation(t, fibre.h).roots()) r.emplace_back(t, matching(s, candidates));

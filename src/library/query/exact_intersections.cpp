@@ -102,7 +102,7 @@ struct Equations {
   Equations r = e;
   r.f = CGAL::integral_division(e.f, by);
   r.g = CGAL::integral_division(e.g, by);
-  const int entries = t_degree(r.f) + t_degree(r.g) - e.divisor.degree();
+  const int entries = CGAL::degree(r.f, 0) + CGAL::degree(r.g, 0) - e.divisor.degree();
   r.degree = (std::max)(0, r.s_degree() * entries);
   return r;
 }
@@ -298,7 +298,12 @@ Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational
   return internal::Zero_set(internal::equations(p)).result();
 }
 
-Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve) {
+// A curve over [t0, t1] as seen from a point, times its weight: X = sum w (P.x - q.x) B, Y = sum w (P.y - q.y) B.
+struct Seen_curve {
+  Exact_polynomial x, y;
+};
+static Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve, const Exact_rational& t0,
+                            const Exact_rational& t1) {
   Exact_polynomial::Coefficients x, y;
   for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
     const Exact_point way = curve.control_points()[i] - q;
@@ -306,11 +311,9 @@ Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>&
     x.push_back(Exact_rational(weight * way.x));
     y.push_back(Exact_rational(weight * way.y));
   }
-  return {Exact_polynomial(std::move(x)), Exact_polynomial(std::move(y))};
-}
-Seen_curve restricted(const Seen_curve& c, const Exact_rational& t0, const Exact_rational& t1) {
   const Exact_rational s0 = Exact_rational(1 - t0), s1 = Exact_rational(1 - t1);
-  return {c.x.restricted(t0, s0, t1, s1), c.y.restricted(t0, s0, t1, s1)};
+  return {Exact_polynomial(std::move(x)).restricted(t0, s0, t1, s1),
+          Exact_polynomial(std::move(y)).restricted(t0, s0, t1, s1)};
 }
 
 // 1 from below the point to its height or above it, -1 the other way round.
@@ -318,7 +321,8 @@ static int rise(const Exact_rational& from_y, const Exact_rational& to_y) {
   return static_cast<int>(from_y < 0) - static_cast<int>(to_y < 0);
 }
 
-int crossings(const Seen_curve& c) {
+// The crossings of a seen curve without a common root of X and Y: halves are cut until X or Y has one sign on each.
+static int crossings(const Seen_curve& c) {
   const auto &x = c.x.scaled_coefficients(), &y = c.y.scaled_coefficients();
   const auto is_negative = [](const Exact_rational& v) { return CGAL::is_negative(v); };
   const auto is_positive = [](const Exact_rational& v) { return CGAL::is_positive(v); };
@@ -336,10 +340,16 @@ static int segment_crossings(const Exact_point& q, const Exact_point& a, const E
   return way != 0 && static_cast<int>(CGAL::sign(cross(u, v))) == way ? way : 0;
 }
 
+// Whether two polynomials have a common root in [0, 1], or both vanish everywhere.
+static bool have_common_root(const Exact_polynomial& a, const Exact_polynomial& b) {
+  const Univariate divisor = CGAL::gcd(to_powers(a), to_powers(b));
+  return divisor.is_zero() || !unit_roots(divisor).empty();
+}
+
 Exact_crossings exact_crossings(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve, double t0, double t1,
                                 const Exact_point& a, const Exact_point& b) {
   const Exact_rational first(t0), last(t1);
-  const Seen_curve seen = restricted(seen_from(q, curve), first, last);
+  const Seen_curve seen = seen_from(q, curve, first, last);
   Exact_crossings r;
   r.is_on = have_common_root(seen.x, seen.y);
   r.number = segment_crossings(q, a, curve.point(first)) + segment_crossings(q, curve.point(last), b);

@@ -14,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include "../curve/Integer_piece.h"
 #include "../polynomial/Real_root.h"
-#include "../polynomial/common_roots.h"
 
 #include <optional>
 #include <vector>
@@ -99,24 +98,11 @@ struct Exact_zero {
 
 // How a piece of a Bezier curve crosses the ray from a point to the right, in exact arithmetic.
 //
-// Seen from the point, signs of x and y are those of X = sum w (P.x - q.x) B and Y = sum w (P.y - q.y) B.  A crossing
-// is counted at the height just below the point: upwards 1, downwards -1, so that what touches the ray counts 0, and a
-// corner on it once.  If X and Y have no common root, halves are cut until X or Y has one sign on each.
+// A crossing is counted at the height just below the point: upwards 1, downwards -1, so that what touches the ray
+// counts 0, and a corner on it once.
 
 /// A point with rational coordinates.
 using Exact_point = Xy<Exact_rational>;
-
-/// The curve over [0, 1] as seen from a point, times its weight.
-struct Seen_curve {
-  Exact_polynomial x, y;
-};
-/// Returns a curve as it is seen from a point.
-[[nodiscard]] Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve);
-/// Returns the part of a seen curve between two parameters.
-[[nodiscard]] Seen_curve restricted(const Seen_curve& c, const Exact_rational& t0, const Exact_rational& t1);
-
-/// Counts the crossings of a seen curve. \pre x and y have no common root
-[[nodiscard]] int crossings(const Seen_curve& c);
 
 /// How a way crosses the ray from a point.
 struct Exact_crossings {
