@@ -9,6 +9,7 @@
 #define BOUNDING_ARCS_LIBRARY_QUERY_AREA_SUM_H
 
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 #include "../curve/Rational_part.h"
 #include "../curve/green.h"
 #include "../tree/Segment_hierarchy.h"
@@ -26,7 +27,7 @@ class Area_sum {
   Area_sum(const Segment_hierarchy& curves, bool with_moments) {
     if (curves.empty()) return;
     origin_ = curves.piece(0).first.point;
-    const Xy<Exact_rational> origin = exactly(origin_);
+    const auto origin = convert<Exact_rational>(origin_);
     for (std::uint32_t b = 0; b < curves.number_of_beziers(); ++b) {
       const auto curve = curves.exact_bezier(b);
       if (!curve.is_rational()) {
@@ -34,7 +35,7 @@ class Area_sum {
         continue;
       }
       const Rational_part part(curve, 0, 1);
-      const Xy<Exact_rational> from = exactly(part.from()), to = exactly(part.to());
+      const auto from = convert<Exact_rational>(part.from()), to = convert<Exact_rational>(part.to());
       exact_ += moments_along(curve.control_points().front(), from, origin);
       exact_ += moments_along(from, to, origin);
       exact_ += moments_along(to, curve.control_points().back(), origin);
@@ -51,10 +52,6 @@ class Area_sum {
   [[nodiscard]] const Xy<double>& origin() const { return origin_; }
 
  private:
-  [[nodiscard]] static Xy<Exact_rational> exactly(const Xy<double>& p) {
-    return {Exact_rational(p.x), Exact_rational(p.y)};
-  }
-
   Xy<double> origin_;
   Exact_moments exact_, least_, most_;
 };

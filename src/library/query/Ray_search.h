@@ -211,8 +211,8 @@ struct Exact_hit {
 class Ray_search {
  public:
   Ray_search(const Segment_hierarchy& curves, const Asked_point& q, const Asked_point& direction)
-      : curves_(curves), q_(q.point), direction_(scaled(direction.point)), exact_q_(exactly(q)),
-        exact_direction_(exactly(direction)) {
+      : curves_(curves), q_(q.point), direction_(scaled(direction.point)), exact_q_(q.exactly()),
+        exact_direction_(direction.exactly()) {
     const auto is_met = [this](const Box_tree::Node& node, std::size_t k) { return may_meet(node.box(k)); };
     for_each_item(curves_.boxes(), is_met, [this](const Box_tree::Node& node, std::size_t k) {
       if (may_meet(curves_.region(node.child[k]))) segments_.push_back(node.child[k]);
@@ -243,9 +243,6 @@ class Ray_search {
   }
 
  private:
-  [[nodiscard]] static Exact_point exactly(const Asked_point& p) {
-    return p.exact ? *p.exact : Exact_point{Exact_rational(p.point.x), Exact_rational(p.point.y)};
-  }
   // Sums of two products, each factor a difference: 6 u of what they are at most, and 2 u for a start and a direction
   // that are rounded.
   [[nodiscard]] bool may_meet(const CGAL::Bbox_2& box) const {

@@ -19,6 +19,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_QUERY_WINDING_SEARCH_H
 #define BOUNDING_ARCS_LIBRARY_QUERY_WINDING_SEARCH_H
 
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include "../tree/Segment_hierarchy.h"
@@ -42,8 +43,8 @@ class Winding_search {
   Winding_search(const Segment_hierarchy& curves, const Asked_point& q)
       : Winding_search(curves, q, curves.decisions()) {}
   Winding_search(const Segment_hierarchy& curves, const Asked_point& q, Decisions decisions)
-      : curves_(curves), decisions_(decisions), q_(q.point), error_(q.error), exact_q_(q.exact) {
-    if (exact_q_) y_is_more_ = static_cast<int>(CGAL::sign(Exact_rational(exact_q_->y - Exact_rational(q_.y))));
+      : curves_(curves), decisions_(decisions), asked_(q), q_(q.point), error_(q.error) {
+    if (q.exact) y_is_more_ = static_cast<int>(CGAL::sign(Exact_rational(q.exact->y - Exact_rational(q_.y))));
   }
 
   void search() {
@@ -131,10 +132,9 @@ class Winding_search {
       is_undecided_ = true;
       return;
     }
-    const auto exact = [](const Xy<double>& p) { return Exact_point{Exact_rational(p.x), Exact_rational(p.y)}; };
-    const Exact_crossings crossings =
-        exact_crossings(exact_q_ ? *exact_q_ : exact(q_), curves_.exact_bezier(curves_.bezier_of(piece.segment)),
-                        piece.first.t, piece.last.t, exact(piece.first.point), exact(piece.last.point));
+    const Exact_crossings crossings = exact_crossings(
+        asked_.exactly(), curves_.exact_bezier(curves_.bezier_of(piece.segment)), piece.first.t, piece.last.t,
+        convert<Exact_rational>(piece.first.point), convert<Exact_rational>(piece.last.point));
     number_ += crossings.number;
     passing_ += crossings.passing;
     is_on_ = is_on_ || crossings.is_on;
@@ -145,10 +145,10 @@ class Winding_search {
 
   const Segment_hierarchy& curves_;
   Decisions decisions_;
+  Asked_point asked_;
   Xy<double> q_;
-  double error_;                        // of its coordinates
-  std::optional<Exact_point> exact_q_;  // where it is another point
-  int y_is_more_ = 0;                   // the sign of what its height was rounded by
+  double error_;       // of its coordinates
+  int y_is_more_ = 0;  // the sign of what its height was rounded by
   int number_ = 0, passing_ = 0;
   bool is_on_ = false, is_undecided_ = false;
 };

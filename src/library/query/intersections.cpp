@@ -107,9 +107,9 @@ std::optional<Piece_intersections> line_intersections(const Bezier_curve_2<doubl
 Piece_intersections::Intersection line_crossing(const Bezier_curve_2<double>& first,
                                                 const Bezier_curve_2<double>& second) {
   using Point = Xy<Exact_rational>;
-  const auto exact = [](const Xy<double>& v) { return Point{Exact_rational(v.x), Exact_rational(v.y)}; };
   const auto &p = first.control_points(), &q = second.control_points();
-  const Point a = exact(p[0]), along = exact(p[1]) - a, b = exact(q[0]), across = exact(q[1]) - b, way = b - a;
+  const Point a = convert<Exact_rational>(p[0]), along = convert<Exact_rational>(p[1]) - a,
+              b = convert<Exact_rational>(q[0]), across = convert<Exact_rational>(q[1]) - b, way = b - a;
   const Exact_rational sine = cross(along, across);
   const auto bracket = [](const Exact_rational& t) {
     const auto [low, high] = CGAL::to_interval(t);

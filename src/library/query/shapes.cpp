@@ -27,7 +27,7 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
   const Xy<double>& p = asked.point;
   if (!std::isfinite(p.x) || !std::isfinite(p.y))
     throw std::invalid_argument(expected(argument, "finite coordinates", p));
-  return asked.exact ? *asked.exact : Exact_point{Exact_rational(p.x), Exact_rational(p.y)};
+  return asked.exactly();
 }
 /// A drawing of one curve.
 [[nodiscard]] static Drawing_2<Exact_rational> one(std::vector<Exact_bezier> chain) {

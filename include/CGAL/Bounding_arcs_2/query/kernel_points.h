@@ -49,6 +49,9 @@ struct Asked_point {
   template <class Point, class = typename Point::R>
   Asked_point(const Point& p) : Asked_point(taken(p.x(), p.y())) {}  // NOLINT: a kernel's point is one
 
+  /// The point as it is.
+  [[nodiscard]] Xy<Exact_rational> exactly() const { return exact ? *exact : convert<Exact_rational>(point); }
+
   Xy<double> point;
   std::optional<Xy<Exact_rational>> exact;  ///< where that is another point
   double error = 0;                         ///< bounds the distance of both
