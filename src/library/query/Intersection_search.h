@@ -24,16 +24,10 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Parameters of both pieces between which common points may be that doubles do not tell.
-struct Open_pair {
-  std::uint32_t a, b;  ///< segments
-  double a0, a1, b0, b1;
-};
-
 /// What has been found so far, of all pairs of segments.
 struct Pair_results {
   std::vector<Newton_box> roots;
-  std::vector<Open_pair> open;
+  std::vector<Numbered_point> open;  ///< between these parameters may be common points that doubles do not tell
 };
 
 /// Common points of two spiral segments in doubles, each proven, or the parameters where doubles leave it open.
@@ -68,7 +62,8 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
 
   void leave_open(const Piece& a, const Piece& b) {
     results_.open.push_back(
-        {a.piece.segment, b.piece.segment, a.piece.first.t, a.piece.last.t, b.piece.first.t, b.piece.last.t});
+        {{a_.bezier_of(a.piece.segment), b_.bezier_of(b.piece.segment)},
+         {{a.piece.first.t, a.piece.last.t}, {b.piece.first.t, b.piece.last.t}, Intersection_kind::UNDECIDED}});
   }
 
   // \pre they are not apart
@@ -210,11 +205,6 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     else add_undecided();
   }
 
-  struct Common_end {
-    Pair beziers;
-    double t, s;
-  };
-
   [[nodiscard]] bool exact() const { return a_.decisions() == Decisions::EXACT && b_.decisions() == Decisions::EXACT; }
 
   // \param go_on bool(), asked after each two segments
@@ -226,7 +216,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
       if (!is_end(p.t) || !is_end(q.t)) return;  // a cut of one piece, or of two with the same numbers
       const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
       if (is_self_ && is_joint_of_neighbours(beziers, {p.t, p.t}, {q.t, q.t})) return;
-      ends_.push_back({beziers, p.t, q.t});
+      ends_.push_back({beziers, {{p.t, p.t}, {q.t, q.t}}});
     };
     internal::Pair_search pairs(a_, b_, same_end, common, results_);
     const auto visit = [&](std::uint32_t i, std::uint32_t j) {
@@ -321,7 +311,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // A root whose range reaches over an end of its piece may be on the next one, or none.
   void leave_open_what_is_at_ends() {
-    for (const internal::Open_pair& o : results_.open) open_.push_back({a_.bezier_of(o.a), b_.bezier_of(o.b)});
+    for (const Numbered_point& o : results_.open) open_.push_back(o.beziers);
     for (const internal::Newton_box& root : results_.roots)
       if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
   }
@@ -347,14 +337,15 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
       found_.points.push_back({beziers, {root.a, root.b, Intersection_kind::TRANSVERSAL}});
       kept.push_back(&root);
     }
-    for (const Common_end& end : ends_) {
+    for (const Numbered_point& end : ends_) {
       if (is_open(end.beziers) && exact()) continue;
-      found_.points.push_back({end.beziers, {{end.t, end.t}, {end.s, end.s}, kind_at(end)}});
+      found_.points.push_back({end.beziers, {end.common.a, end.common.b, kind_at(end)}});
     }
   }
-  [[nodiscard]] Intersection_kind kind_at(const Common_end& end) const {
+  [[nodiscard]] Intersection_kind kind_at(const Numbered_point& end) const {
     const auto [first, second] = end.beziers;
-    const Xy<double> u = end_direction(a_.bezier(first), end.t), v = end_direction(b_.bezier(second), end.s);
+    const double t = end.common.a.lower, s = end.common.b.lower;
+    const Xy<double> u = end_direction(a_.bezier(first), t), v = end_direction(b_.bezier(second), s);
     // differences err by 2 roundings of coordinates, and products by one of themselves
     const double error_u = 4 * (a_.rounding(first) + HALF_ULP * a_.evaluator(first).coordinate_size()),
                  error_v = 4 * (b_.rounding(second) + HALF_ULP * b_.evaluator(second).coordinate_size());
@@ -362,8 +353,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (std::fabs(cross(u, v)) >
         length_u * error_v + length_v * error_u + error_u * error_v + 4 * HALF_ULP * length_u * length_v)
       return Intersection_kind::TRANSVERSAL;
-    const auto exact_u = end_direction(a_.exact_bezier(first), end.t),
-               exact_v = end_direction(b_.exact_bezier(second), end.s);
+    const auto exact_u = end_direction(a_.exact_bezier(first), t), exact_v = end_direction(b_.exact_bezier(second), s);
     return cross(exact_u, exact_v) == Exact_rational(0) ? Intersection_kind::TANGENTIAL
                                                         : Intersection_kind::TRANSVERSAL;
   }
@@ -383,10 +373,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Ranges that touch are one.
   void add_undecided() {
-    std::vector<Numbered_point> open;
-    for (const internal::Open_pair& o : results_.open)
-      open.push_back(
-          {{a_.bezier_of(o.a), b_.bezier_of(o.b)}, {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
+    std::vector<Numbered_point> open = results_.open;
     for (const internal::Newton_box& root : results_.roots)
       if (!root.is_inside())
         open.push_back(
@@ -401,8 +388,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   Curve_joints joints_a_, joints_b_;
   bool is_self_ = false;
   internal::Pair_results results_;
-  std::vector<Common_end> ends_;
-  std::vector<Pair> open_;  // sorted, once it is complete
+  std::vector<Numbered_point> ends_;  // that are common
+  std::vector<Pair> open_;            // sorted, once it is complete
   Numbered_intersections found_;
 };
 

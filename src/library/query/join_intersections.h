@@ -46,9 +46,7 @@ struct Joint_place {
   Bracket t;
 
   [[nodiscard]] bool is_start() const { return t.lower == 0 && t.upper == 0; }
-  [[nodiscard]] bool touches(const Joint_place& other) const {
-    return bezier == other.bezier && t.lower <= other.t.upper && other.t.lower <= t.upper;
-  }
+  [[nodiscard]] bool touches(const Joint_place& other) const { return bezier == other.bezier && t.touches(other.t); }
 };
 /// Compares places by their order on the curves.
 [[nodiscard]] inline bool operator<(const Joint_place& p, const Joint_place& q) {
@@ -97,7 +95,6 @@ namespace CGAL::Bounding_arcs::internal {
 
 /// Joins ranges of the same two pieces that touch, and appends them.
 inline void add_clusters(std::vector<Numbered_point> open, std::vector<Numbered_point>& to) {
-  const auto touch = [](const Bracket& p, const Bracket& q) { return p.lower <= q.upper && q.lower <= p.upper; };
   const auto join = [](Bracket& p, const Bracket& q) {
     p = {(std::min)(p.lower, q.lower), (std::max)(p.upper, q.upper)};
   };
@@ -108,7 +105,7 @@ inline void add_clusters(std::vector<Numbered_point> open, std::vector<Numbered_
   for (Numbered_point& p : open) {
     for (std::size_t i = to.size(); i > first; --i) {  // what the new one joins may touch others
       const Numbered_point& known = to[i - 1];
-      if (known.beziers != p.beziers || !touch(known.common.a, p.common.a) || !touch(known.common.b, p.common.b))
+      if (known.beziers != p.beziers || !known.common.a.touches(p.common.a) || !known.common.b.touches(p.common.b))
         continue;
       join(p.common.a, known.common.a);
       join(p.common.b, known.common.b);

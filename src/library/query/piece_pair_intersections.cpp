@@ -61,7 +61,6 @@ template <std::size_t MOST> class Polygon_search {
     refine(piece_of(a, A), piece_of(b, B));
   }
   [[nodiscard]] const Polygon_results& results() const { return results_; }
-  [[nodiscard]] const Bezier_evaluator& evaluator_a() const { return evaluator_a_; }
 
  private:
   static constexpr int A = 0, B = 1;
