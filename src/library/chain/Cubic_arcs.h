@@ -236,14 +236,10 @@ template <class Isa> void fit_balanced(Arc_columns& columns);
 
 using Arc_function = void (*)(Arc_columns&);
 
-/// The loops of one kind, for function_for.
-template <bool ARE_BIARCS> struct Fits_of_kind {
-  template <class Isa> [[nodiscard]] static Arc_function of() {
-    return ARE_BIARCS ? &fit_biarcs<Isa> : &fit_balanced<Isa>;
-  }
-};
+/// The loops of one kind.
 [[nodiscard]] inline Arc_function arc_function(bool are_biarcs, Instruction_set set) {
-  return are_biarcs ? function_for<Fits_of_kind<true>>(set) : function_for<Fits_of_kind<false>>(set);
+  return function_for(set,
+                      [&](auto isa) { return are_biarcs ? &fit_biarcs<decltype(isa)> : &fit_balanced<decltype(isa)>; });
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

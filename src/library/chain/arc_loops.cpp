@@ -5,8 +5,6 @@
 // The loops that fit arcs, for one instruction set: compiled once for each, as the batch loops are
 // (src/library/tree/batch_loops.cpp).
 
-#include "../tree/for_instruction_sets.h"
-
 #include "Cubic_arcs.h"
 
 namespace CGAL::Bounding_arcs::internal {

@@ -17,15 +17,25 @@ struct Avx512_set {};
 struct One_by_one {};  ///< no registers: for few pieces
 
 /// The compiled function for a set, or for the widest below it that this machine has.
-/// \tparam Of what has of<Isa>() for each
-template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction_set set) {
+/// \param of of(tag) returns that for the set of a tag
+template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction_set set, const Of& of) {
 #ifdef __x86_64__
-  if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512)) return Of::template of<Avx512_set>();
-  if (set >= Instruction_set::AVX2 && is_available(Instruction_set::AVX2)) return Of::template of<Avx2_set>();
+  if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512)) return of(Avx512_set());
+  if (set >= Instruction_set::AVX2 && is_available(Instruction_set::AVX2)) return of(Avx2_set());
 #endif
-  return Of::template of<Base_set>();
+  return of(Base_set());
 }
 
 }  // namespace CGAL::Bounding_arcs
+
+// Which sets a source of loops is compiled for: one, whose tag BOUNDING_ARCS_ISA names, or all.
+#ifdef BOUNDING_ARCS_ISA
+#define BOUNDING_ARCS_FOR_SETS(INSTANTIATE) INSTANTIATE(BOUNDING_ARCS_ISA);
+#else  // all of them, for builds whose time is in reading headers
+#define BOUNDING_ARCS_FOR_SETS(INSTANTIATE)   \
+  INSTANTIATE(CGAL::Bounding_arcs::Base_set); \
+  INSTANTIATE(CGAL::Bounding_arcs::Avx2_set); \
+  INSTANTIATE(CGAL::Bounding_arcs::Avx512_set);
+#endif
 
 #endif

@@ -16,34 +16,22 @@ struct Piece_filter::State {
   Level_strategy levels;
 };
 
-namespace {
-
-Batch_functions functions_of(Method method, Instruction_set set) {
-  switch (method) {
-    case Method::BCA:
-      return Batch_functions::of<Bca_batch>(set);
-    case Method::BILENS:
-      return Batch_functions::of<Bilens_batch>(set);
-    case Method::SPIRAL_FAT_ARC:
-      return Batch_functions::of<Spiral_fat_arc_batch>(set);
-    default:
-      return {};
-  }
+Piece_filter::Piece_filter(Method method, Instruction_set set) : method_(method), set_(set) {
+  if (set == Instruction_set::NONE) return;
+  with_formulas(method, [&](auto f) {
+    state_.reset(new State{Batch_functions::of<typename decltype(f)::Type>(set), {}, {}});
+  });
 }
-
-}  // namespace
-
-Piece_filter::Piece_filter(Method method, Instruction_set set)
-    : method_(method), set_(set), state_(new State{functions_of(method, set), {}, {}}) {}
 Piece_filter::~Piece_filter() = default;
 
 void Piece_filter::look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness) {
-  state_->ahead.decide(state_->functions, first, count, eps, keeps_thickness);
+  if (state_) state_->ahead.decide(state_->functions, first, count, eps, keeps_thickness);
 }
 
 std::optional<internal::Subdivision> Piece_filter::subdivide(const Spiral& spiral, double eps, std::size_t limit,
                                                              internal::Region_nodes& nodes, Decision_counts& counts,
                                                              const Open_piece& open) {
+  if (!state_) return std::nullopt;
   const Segment_top top = state_->ahead.top(spiral);
   const internal::Subdivision begun = state_->levels.begin(top, nodes, counts);
   if (state_->levels.is_done()) return internal::Subdivision{begun.bound, nodes.size() > limit};
@@ -54,8 +42,9 @@ std::optional<internal::Subdivision> Piece_filter::subdivide(const Spiral& spira
 
 std::optional<unsigned> Piece_filter::are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
                                                 double eps, const Open_piece& open) const {
+  if (!state_) return std::nullopt;
   const Local_curve curve = spiral.local_curve();
-  const Bound_function bound = state_->functions.of_one(curve);
+  const Bound_function bound = state_->functions.one(curve.kind);
   if (bound == nullptr) return std::nullopt;
   const Spiral_grid grid(spiral.first(), spiral.last());
   unsigned thick = 0;
@@ -69,6 +58,7 @@ std::optional<unsigned> Piece_filter::are_thick(const Spiral& spiral, int level,
 
 bool Piece_filter::bound(const Segment_curve& segment, double eps, const std::vector<double>& breaks,
                          std::vector<double>& upper, Decision_counts& counts, const Open_piece& open) const {
+  if (!state_) return false;
   Piece_decisions decide(open, state_->functions, segment);
   if (!decide.has_batches()) return false;
   constexpr std::size_t LONG = 8;  // pieces of a segment: fewer are likely to turn by too much for narrow forms

@@ -118,20 +118,11 @@ void resize_columns(Region_columns& to, std::size_t size, bool has_joints) {
     for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(has_joints ? size : 0);
 }
 
-// Calls work with the formulas of a source's method, or with a null pointer to void.
-template <class Work> void with_formulas(const Region_source& source, const Work& work) {
-  using filter::Method;
-  if (source.served == nullptr) work(static_cast<void*>(nullptr));
-  else if (source.method == Method::BCA) work(static_cast<filter::Formulas<Bca>::Arcs*>(nullptr));
-  else if (source.method == Method::BILENS) work(static_cast<filter::Formulas<Bilens>::Arcs*>(nullptr));
-  else work(static_cast<filter::Formulas<Spiral_fat_arc>::Arcs*>(nullptr));
-}
-
 constexpr std::size_t AHEAD = 64;  // segments
 
-// Looks at no segment ahead.
-void make_rows_of(void*, const Region_source& source,
-                  const std::function<void(std::size_t segment, double* ends)>& write_ends, Region_columns& to) {
+// Makes the regions of all segments one by one.
+void make_plain_rows(const Region_source& source,
+                     const std::function<void(std::size_t segment, double* ends)>& write_ends, Region_columns& to) {
   for (std::size_t i = 0; i < source.size; ++i) {
     const std::size_t row = to.first[i];
     to.t[row] = source.ends(i).first;
@@ -141,10 +132,10 @@ void make_rows_of(void*, const Region_source& source,
 }
 
 template <class Arcs>
-void make_rows_of(Arcs*, const Region_source& source,
-                  const std::function<void(std::size_t segment, double* ends)>& write_ends, Region_columns& to) {
+void make_batch_rows(const Region_source& source,
+                     const std::function<void(std::size_t segment, double* ends)>& write_ends, Region_columns& to) {
   const std::vector<Bezier_spiral_2<double>>& spirals = *source.served;
-  filter::Arcs_ahead<Arcs, Bezier_spiral_2<double>> ahead(source.set);
+  filter::Arcs_ahead<Arcs> ahead(source.set);
   for (std::size_t i = 0; i < spirals.size(); ++i) {
     if (i % AHEAD == 0) {
       const std::size_t count = (std::min)(AHEAD, spirals.size() - i);
@@ -183,11 +174,12 @@ void Segment_regions::resize(Region_columns& to, std::size_t size) const {
 }
 
 void Segment_regions::open(std::size_t segment, bool is_whole) {
-  with_formulas(state_->source, [&](auto* formulas) {
-    using Arcs = std::remove_pointer_t<decltype(formulas)>;
-    if constexpr (std::is_void_v<Arcs>) state_->segment.emplace<Plain_segment>(state_->source, segment);
-    else state_->segment.emplace<Batch_segment<Arcs>>(state_->source, segment, is_whole);
-  });
+  const Region_source& source = state_->source;
+  if (source.served == nullptr) state_->segment.emplace<Plain_segment>(source, segment);
+  else
+    filter::with_formulas(source.method, [&](auto f) {
+      state_->segment.emplace<Batch_segment<typename decltype(f)::Arcs>>(source, segment, is_whole);
+    });
 }
 
 double Segment_regions::make(Region_columns& to, std::size_t row, std::size_t count) const {
@@ -206,7 +198,10 @@ void make_rows(const Region_source& source, const std::function<void(std::size_t
   static_assert(Segment_regions::PADDING == filter::ARC_PADDING, "batches write as many");
   to.form = Region_form::BCA;
   to.widening.resize(source.size);
-  with_formulas(source, [&](auto* formulas) { make_rows_of(formulas, source, write_ends, to); });
+  if (source.served == nullptr) make_plain_rows(source, write_ends, to);
+  else
+    filter::with_formulas(source.method,
+                          [&](auto f) { make_batch_rows<typename decltype(f)::Arcs>(source, write_ends, to); });
   resize_columns(to, rows, source.has_joints);
 }
 

@@ -5,12 +5,12 @@
 // The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
+#include "Instruction_sets.h"
 #include "batch/Bca_batch.h"
 #include "batch/Bilens_batch.h"
 #include "batch/Spiral_fat_arc_batch.h"
 #include "batch/few_arcs.h"
 #include "batch/top_levels.h"
-#include "for_instruction_sets.h"
 
 #include "../spiral/Local_curve.h"
 #include "batch/Batch_questions.h"

@@ -53,7 +53,8 @@ Answer answer(Instruction_set set, const Spiral& spiral, const Batch_pieces& pie
   const ba::Local_curve& local = spiral.local_curve();
   const bool is_rough = ba::filter::make_rough_form(local, rough);
   const ba::filter::Batch_curve curve{local, is_rough ? &rough : nullptr};
-  const auto batch = ba::filter::Batch_functions::of<typename ba::filter::Formulas<Construction>::Type>(set)(local);
+  const auto batch =
+      ba::filter::Batch_functions::of<typename ba::filter::Formulas<Construction>::Type>(set).many(local.kind);
   a.decision = batch(curve, pieces, eps, a.upper);
   a.quick = batch(curve, pieces, eps, nullptr);
   return a;
@@ -106,7 +107,7 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
     const ba::Local_curve curve = spiral.local_curve();
     const auto of_one =
         ba::filter::Batch_functions::of<typename ba::filter::Formulas<TypeParam>::Type>(Instruction_set::BEST)
-            .of_one(curve);
+            .one(curve.kind);
     double largest = 0;
     for (std::size_t i = 0; i < pieces.count; ++i) {
       const double breaks[2] = {pieces.begin(static_cast<int>(i)), pieces.end(static_cast<int>(i))};
@@ -206,8 +207,8 @@ TYPED_TEST(Batches, DecideFirstLevelsSideBySideAsPieceByPiece) {
             std::uint64_t halves = 0;
             for (std::uint64_t place = 0; there >> place != 0; ++place) {
               if ((there >> place & 1) == 0) continue;
-              const ba::Bracket b = functions.of_one(curve)(curve, grid.parameter(level, place),
-                                                            grid.parameter(level, place + 1), eps, true);
+              const ba::Bracket b = functions.one(curve.kind)(curve, grid.parameter(level, place),
+                                                              grid.parameter(level, place + 1), eps, true);
               const bool is_above = (top.above(level) >> place & 1) != 0;
               EXPECT_EQ(is_above, b.lower > ba::internal::reachable(eps, spiral));
               EXPECT_TRUE(is_above || b.upper <= ba::internal::reachable(eps, spiral));

@@ -17,8 +17,8 @@
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Filtered_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Piece_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_boxes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
@@ -43,51 +43,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-// The subtrees of many spiral segments, one after the other or, with TBB, in parallel: segments do not know of each
-// other, so the result is the same.
-
-namespace CGAL::Bounding_arcs::internal {
-
-/// Appends the subtrees of segments begin, ..., end - 1 to `nodes`.
-/// \param empty nodes without any
-/// \return false, soon, if there would be more nodes than allowed; then not all are there
-template <class ConcurrencyTag, class Decider, class Spiral, class Nodes>
-[[nodiscard]] bool build_subtrees(const Decider& decide, const std::vector<Spiral>& spirals, std::size_t begin,
-                                  std::size_t end, double eps, const Build_options& options, const Nodes& empty,
-                                  Nodes& nodes, Decision_counts& counts) {
-  constexpr std::size_t AHEAD = 64;  // segments
-  std::mutex mutex;                  // of what is told and counted
-  std::size_t ready = 0;
-  std::atomic<bool> is_over_limit{false};
-  const auto add = [&](std::size_t i, std::size_t j, Nodes& to) {
-    Decider own = decide;
-    Decision_counts own_counts;
-    for (const std::size_t start = i; i < j && !is_over_limit; ++i) {
-      if ((i - start) % AHEAD == 0) to.look_ahead(own, &spirals[i], (std::min)(j - i, AHEAD), eps);
-      if (!to.add(own, spirals[i], reachable(eps, spirals[i]), options.max_nodes, own_counts)) is_over_limit = true;
-      if (!options.progress) continue;
-      const std::lock_guard<std::mutex> lock(mutex);
-      options.progress(++ready, end - begin);
-    }
-    const std::lock_guard<std::mutex> lock(mutex);
-    counts.add(own_counts);
-  };
-  if constexpr (is_parallel_v<ConcurrencyTag>) {
-    std::atomic<std::size_t> made{nodes.number_of_nodes()};
-    std::vector<Nodes> parts((end - begin + RANGE_SIZE - 1) / RANGE_SIZE, empty);
-    for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
-      add(begin + k * RANGE_SIZE, (std::min)(begin + (k + 1) * RANGE_SIZE, end), parts[k]);
-      if ((made += parts[k].number_of_nodes()) > options.max_nodes) is_over_limit = true;
-    });
-    if (!is_over_limit) nodes.template append_all<ConcurrencyTag>(parts);
-  } else {
-    add(begin, end, nodes);
-  }
-  return !is_over_limit;
-}
-
-}  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
 
@@ -154,8 +109,8 @@ class Region_hierarchy_2 {
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Region_hierarchy_2(std::vector<Spiral> spirals, double eps, const Build_options& options = {},
                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
-      : traits_(traits), eps_(eps), options_(options), decide_(traits, options.instruction_set),
-        decide_plainly_(traits, options.instruction_set) {
+      : traits_(traits), eps_(eps), options_(options),
+        decide_(traits, options.is_filtered ? options.instruction_set : Instruction_set::NONE) {
     check_above_zero("eps", eps);
     midpoints_ = internal::Midpoint_nodes(options_.keep_thickness);
     replace(0, 0, std::move(spirals), concurrency);
@@ -388,10 +343,7 @@ class Region_hierarchy_2 {
   void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, unsigned count, const Visit& visit) const {
     const Spiral& s = spirals_[spiral];
     const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
-    const auto are_thick = [&](const auto& decide) {
-      return decide.are_thick(s, level, place, count, internal::reachable(eps_, s));
-    };
-    const unsigned thick = is_last ? 0 : options_.is_filtered ? are_thick(decide_) : are_thick(decide_plainly_);
+    const unsigned thick = is_last ? 0 : decide_.are_thick(s, level, place, count, internal::reachable(eps_, s));
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
   }
 
@@ -401,6 +353,42 @@ class Region_hierarchy_2 {
     Decision_counts counts;
     bool is_over_limit;
   };
+  // Appends the subtrees of the new segments, one after the other or, with TBB, in parallel: segments do not know of
+  // each other, so the result is the same. Ends soon where there would be more nodes than allowed.
+  // \param empty nodes without any
+  template <class ConcurrencyTag, class Nodes> void build(Made& made, const Nodes& empty, Nodes& nodes) const {
+    constexpr std::size_t AHEAD = 64;  // segments
+    const std::size_t count = made.spirals.size();
+    std::mutex mutex;  // of what is told and counted
+    std::size_t ready = 0;
+    std::atomic<bool> is_over_limit{false};
+    const auto add = [&](std::size_t i, std::size_t j, Nodes& to) {
+      Piece_decider<Traits, Spiral> decide = decide_;
+      Decision_counts counts;
+      for (const std::size_t start = i; i < j && !is_over_limit; ++i) {
+        const Spiral& s = made.spirals[i];
+        if ((i - start) % AHEAD == 0) to.look_ahead(decide, &s, (std::min)(j - i, AHEAD), eps_);
+        if (!to.add(decide, s, internal::reachable(eps_, s), options_.max_nodes, counts)) is_over_limit = true;
+        if (!options_.progress) continue;
+        const std::lock_guard<std::mutex> lock(mutex);
+        options_.progress(++ready, count);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      made.counts.add(counts);
+    };
+    if constexpr (is_parallel_v<ConcurrencyTag>) {
+      std::atomic<std::size_t> number{nodes.number_of_nodes()};
+      std::vector<Nodes> parts((count + RANGE_SIZE - 1) / RANGE_SIZE, empty);
+      for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
+        add(k * RANGE_SIZE, (std::min)((k + 1) * RANGE_SIZE, count), parts[k]);
+        if ((number += parts[k].number_of_nodes()) > options_.max_nodes) is_over_limit = true;
+      });
+      if (!is_over_limit) nodes.template append_all<ConcurrencyTag>(parts);
+    } else {
+      add(0, count, nodes);
+    }
+    made.is_over_limit = is_over_limit;
+  }
   // Makes the subtrees of the new segments, and keeps those of the old nodes for what was before `first` and from
   // `last` on. Leaves nothing of more nodes than allowed.
   // \param nodes none; those that are made
@@ -408,11 +396,7 @@ class Region_hierarchy_2 {
   void rebuild(Made& made, const Nodes& old, Nodes& nodes, std::size_t first, std::size_t last) const {
     const Nodes empty = nodes;
     nodes.append(old, 0, first);
-    const auto are_built = [&](const auto& decide) {
-      return internal::build_subtrees<ConcurrencyTag>(decide, made.spirals, 0, made.spirals.size(), eps_, options_,
-                                                      empty, nodes, made.counts);
-    };
-    made.is_over_limit = !(options_.is_filtered ? are_built(decide_) : are_built(decide_plainly_));
+    build<ConcurrencyTag>(made, empty, nodes);
     if (!made.is_over_limit) {
       nodes.append(old, last, old.bounds().size());
       made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
@@ -424,8 +408,7 @@ class Region_hierarchy_2 {
   Traits traits_;
   double eps_;
   Build_options options_;
-  Default_decider<Traits, Spiral> decide_;
-  Plain_decider<Traits, Spiral> decide_plainly_;
+  Piece_decider<Traits, Spiral> decide_;
   std::vector<Spiral> spirals_;
   std::shared_ptr<const Boxes_later> boxes_ = std::make_shared<Boxes_later>();
   internal::Midpoint_nodes midpoints_;  // empty but for stored nodes

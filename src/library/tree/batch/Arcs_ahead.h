@@ -8,15 +8,14 @@
 #ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_ARCS_AHEAD_H
 #define BOUNDING_ARCS_LIBRARY_TREE_BATCH_ARCS_AHEAD_H
 
-#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Piece_filter.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include "Batch_functions.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::filter {
@@ -28,7 +27,7 @@ namespace CGAL::Bounding_arcs::filter {
 inline constexpr std::size_t ARC_PADDING = GROUP<double>;
 
 /// What arc_room asks of a segment's points.
-template <class Spiral> [[nodiscard]] Point_sizes point_sizes(const Spiral& spiral) {
+[[nodiscard]] inline Point_sizes point_sizes(const Bezier_spiral_2<double>& spiral) {
   constexpr double OF_SINGLE = 4;  // of point errors: widening_of_single_regions (tree/Region_columns.h)
   const double size = spiral.coordinate_size();
   return {size, ulp_of(size), OF_SINGLE * spiral.point_error(), spiral.cut_error()};
@@ -44,34 +43,23 @@ struct Both_points {
         coarse(arc_points(curve, at_middle, r.coarse_widening, r.coarse_room)) {}
 };
 
-/// Whether segments of a type have what batches need.
-template <class Spiral>
-inline constexpr bool are_served_v = has_local_curve_v<Spiral>&& std::is_same_v<typename Spiral::Number_type, double>;
-
 /// Makes the regions in hand of a segment's pieces in batches, where there are formulas and a local curve.
 template <class Arcs> class Arc_filter {
  public:
   /// \param is_whole the segment is asked for as one piece: its ends are known, and bulges need no points
-  template <class Spiral>
-  Arc_filter(Instruction_set set, const Spiral& spiral, bool is_whole) : Arc_filter(set, spiral, Both_points()) {
-    if constexpr (are_served_v<Spiral>) {
-      if (!serves()) return;
-      const Arc_room room = arc_room<Arcs>(curve_, point_sizes(spiral));
-      const bool needs_middle = !is_whole || HAS_JOINTS<Arcs>;
-      points_ = {curve_, needs_middle ? spiral.end_point(curve_.middle) : Xy<double>(), room};
-      if (!(points_.usual.room > 0)) many_ = nullptr;
-    }
+  Arc_filter(Instruction_set set, const Bezier_spiral_2<double>& spiral, bool is_whole)
+      : Arc_filter(set, spiral, Both_points()) {
+    if (!serves()) return;
+    const Arc_room room = arc_room<Arcs>(curve_, point_sizes(spiral));
+    const bool needs_middle = !is_whole || HAS_JOINTS<Arcs>;
+    points_ = {curve_, needs_middle ? spiral.end_point(curve_.middle) : Xy<double>(), room};
+    if (!(points_.usual.room > 0)) many_ = nullptr;
   }
   /// \param points as the other constructor finds them, with room
-  template <class Spiral>
-  Arc_filter(Instruction_set set, const Spiral& spiral, const Both_points& points)
-      : curve_(local_curve_of(spiral)), points_(points) {
-    if constexpr (are_served_v<Spiral>) {
-      const Arc_functions<Arcs> functions(set);
-      many_ = functions.of_many(curve_.kind);
-      few_ = functions.of_few(curve_.kind);
-    }
-  }
+  Arc_filter(Instruction_set set, const Bezier_spiral_2<double>& spiral, const Both_points& points)
+      : curve_(spiral.local_curve()), points_(points),
+        many_(function_for(set, [](auto isa) { return &arc_function<decltype(isa), Arcs>; })(curve_.kind)),
+        few_(few_function<Arcs>(curve_.kind)) {}
   /// Whether it makes points and regions of the segment at all.
   [[nodiscard]] bool serves() const { return many_ != nullptr; }
 
@@ -103,10 +91,6 @@ template <class Arcs> class Arc_filter {
   }
 
  private:
-  template <class Spiral> [[nodiscard]] static Local_curve local_curve_of(const Spiral& spiral) {
-    if constexpr (has_local_curve_v<Spiral>) return spiral.local_curve();
-    else return {};
-  }
   [[nodiscard]] static Arc_places behind(const Arc_places& to, std::size_t i) {
     const auto side = [i](const Side_places& s) {
       if constexpr (!HAS_JOINTS<Arcs>) return Side_places{s.bulge + i, nullptr, nullptr, nullptr};
@@ -117,14 +101,17 @@ template <class Arcs> class Arc_filter {
 
   Local_curve curve_;
   Both_points points_;
-  Arc_function many_ = nullptr, few_ = nullptr;
+  Arc_function many_;  ///< makes arcs in groups of eight pieces
+  Arc_function few_;   ///< piece by piece, which is quicker for one or two
 };
 
 /// Makes the regions in hand of segments with few leaves.
-/// \tparam Spiral has a local curve, over double
-template <class Arcs, class Spiral> class Arcs_ahead {
+template <class Arcs> class Arcs_ahead {
+  using Spiral = Bezier_spiral_2<double>;
+
  public:
-  explicit Arcs_ahead(Instruction_set set) : functions_(set) {}
+  explicit Arcs_ahead(Instruction_set set)
+      : lanes_(function_for(set, [](auto isa) { return &lanes_function<decltype(isa), Arcs>; })) {}
 
   /// Looks at segments first[0], ..., first[count - 1], and forgets those before.
   /// \param rows the first row of each segment and, behind them, where the last one ends
@@ -148,7 +135,7 @@ template <class Arcs, class Spiral> class Arcs_ahead {
       set_middle(q, lane, first[i], leaves > 1 || HAS_JOINTS<Arcs>);
     };
     const auto ask = [&](int kind, const std::size_t* places, std::size_t size) {
-      if (const Lanes_function function = functions_.of_lanes(kind)) {
+      if (const Lanes_function function = lanes_(kind)) {
         std::size_t with[FEW_LEAVES + 1] = {};  // so many leaves
         for (std::size_t lane = 0; lane < size; ++lane) {
           slots_[places[lane]] = LANES * answers_.size() + lane;
@@ -163,8 +150,8 @@ template <class Arcs, class Spiral> class Arcs_ahead {
         first, count, q.curves, [](std::size_t) { return true; }, set, ask);
   }
   /// Sets the rows of segment i, if that has few leaves, all of which could be made.
-  /// \param columns Region_columns. Batches write beyond their rows, so segments are to be made in their order.
-  template <class Columns> [[nodiscard]] bool make(std::size_t i, Columns& columns, double& widening) const {
+  /// Batches write beyond their rows, so segments are to be made in their order.
+  [[nodiscard]] bool make(std::size_t i, Region_columns& columns, double& widening) const {
     if (slots_[i] == NONE) return false;
     const std::size_t leaves = leaves_of(i), lane = slots_[i] % LANES;
     const Few_answer& a = answers_[slots_[i] / LANES];
@@ -178,8 +165,8 @@ template <class Arcs, class Spiral> class Arcs_ahead {
       columns.x[j] = p.x;
       columns.y[j] = p.y;
     };
-    set_point(row, first_[i].template point<double>(first_[i].first()));
-    set_point(last, first_[i].template point<double>(first_[i].last()));
+    set_point(row, first_[i].point(first_[i].first()));
+    set_point(last, first_[i].point(first_[i].last()));
     for (std::size_t k = 0; k < leaves; ++k) {
       const Leaf_lanes& leaf = a.leaves[k];
       if (k > 0) set_point(row + k, {leaf.x.of[lane], leaf.y.of[lane]});
@@ -230,7 +217,7 @@ template <class Arcs, class Spiral> class Arcs_ahead {
     q.middle_x.of[lane] = middle.x;
     q.middle_y.of[lane] = middle.y;
   }
-  template <class Side> static void set_side(std::size_t lane, const Side_lanes& from, Side& to, std::size_t j) {
+  static void set_side(std::size_t lane, const Side_lanes& from, Region_columns::Side& to, std::size_t j) {
     to.bulge[j] = from.bulge.of[lane];
     if constexpr (HAS_JOINTS<Arcs>) {
       to.joint_x[j] = from.joint_x.of[lane];
@@ -239,7 +226,7 @@ template <class Arcs, class Spiral> class Arcs_ahead {
     }
   }
 
-  Arc_functions<Arcs> functions_;
+  Lanes_function (*lanes_)(int kind);
   static constexpr std::size_t NONE = ~std::size_t(0);
   const Spiral* first_ = nullptr;
   const std::size_t* rows_ = nullptr;

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which loop serves a construction on this machine: the one for the widest registers there are.  The results are the
-// same bits for all.  A construction without formulas has none: its pieces are bounded, and its arcs made, one by one.
+// same bits for all.
 
 #ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_FUNCTIONS_H
 #define BOUNDING_ARCS_LIBRARY_TREE_BATCH_BATCH_FUNCTIONS_H
@@ -14,23 +14,17 @@
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Piece_filter.h>
 #include "../../tree/Instruction_sets.h"
 #include "Batch_questions.h"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::filter {
 
-template <class Construction> struct With_algebraic_boundary;
-
-namespace filter {
-
-/// Formulas of a construction, void where there are none.
-template <class Construction> struct Formulas {
-  using Type = void;
-  using Arcs = void;
-};
+/// Formulas of a construction.
+template <class Construction> struct Formulas;
 /// The formulas of BCA.
 template <> struct Formulas<Bca> {
   using Type = Bca_batch;
@@ -46,84 +40,40 @@ template <> struct Formulas<Spiral_fat_arc> {
   using Type = Spiral_fat_arc_batch;
   using Arcs = Spiral_fat_arc_arcs;
 };
-template <class Construction> struct Formulas<With_algebraic_boundary<Construction>> : Formulas<Construction> {};
+
+/// Calls f(Formulas<Construction>()), for a method that has formulas.
+/// \return what f does, or without formulas a value of this type
+template <class Call> auto with_formulas(Method method, const Call& f) -> decltype(f(Formulas<Bca>())) {
+  switch (method) {
+    case Method::BCA:
+      return f(Formulas<Bca>());
+    case Method::BILENS:
+      return f(Formulas<Bilens>());
+    case Method::SPIRAL_FAT_ARC:
+      return f(Formulas<Spiral_fat_arc>());
+    default:
+      return decltype(f(Formulas<Bca>()))();
+  }
+}
 
 /// The regions that formulas for arcs make.
 template <class Arcs> inline constexpr Region_form FORM = Region_form::BCA;
 template <> inline constexpr Region_form FORM<Bilens_arcs> = Region_form::BILENS;
 template <> inline constexpr Region_form FORM<Spiral_fat_arc_arcs> = Region_form::SPIRAL_FAT_ARC;
 
-/// The functions that bound thickness, for function_for.
-template <class Method> struct Bounds_of_kind {
-  using Lookup = Batch_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &batch_function<Isa, Method>; }
-};
-/// The functions that decide first levels, for function_for.
-template <class Method> struct Tops_of_kind {
-  using Lookup = Top_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &top_function<Isa, Method>; }
-};
-/// The functions that make arcs, for function_for.
-template <class Arcs> struct Arcs_of_kind {
-  using Lookup = Arc_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &arc_function<Isa, Arcs>; }
-};
-/// The functions that make arcs of eight segments, for function_for.
-template <class Arcs> struct Lanes_of_kind {
-  using Lookup = Lanes_function (*)(int kind);
-  template <class Isa> [[nodiscard]] static Lookup of() { return &lanes_function<Isa, Arcs>; }
-};
-
-/// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
-class Batch_functions {
- public:
+/// The loops of one method by kinds of curves; null for kind 0, whose pieces are to be bounded one by one.
+struct Batch_functions {
+  /// \pre set is not NONE
   template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
-    Batch_functions f;
-    if (set == Instruction_set::NONE) return f;
-    f.many_ = function_for<Bounds_of_kind<Method>>(set);
-    f.one_ = &one_function<Method>;
-    f.top_ = function_for<Tops_of_kind<Method>>(set);
-    return f;
+    return {function_for(set, [](auto isa) { return &batch_function<decltype(isa), Method>; }), &one_function<Method>,
+            function_for(set, [](auto isa) { return &top_function<decltype(isa), Method>; })};
   }
-  [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
-    return many_ != nullptr ? many_(curve.kind) : nullptr;
-  }
-  /// Returns the function for single pieces, where a batch would take longer.
-  [[nodiscard]] Bound_function of_one(const Local_curve& curve) const {
-    return one_ != nullptr ? one_(curve.kind) : nullptr;
-  }
-  /// Returns the function for the first levels of eight segments of a kind.
-  [[nodiscard]] Top_function of_top(int kind) const { return top_ != nullptr ? top_(kind) : nullptr; }
 
- private:
-  Batch_function (*many_)(int kind) = nullptr;
-  Bound_function (*one_)(int kind) = nullptr;
-  Top_function (*top_)(int kind) = nullptr;
+  Batch_function (*many)(int kind) = nullptr;
+  Bound_function (*one)(int kind) = nullptr;  ///< for single pieces, where a batch would take longer
+  Top_function (*top)(int kind) = nullptr;    ///< for the first levels of eight segments
 };
 
-/// The loops that make the arcs of regions, the same bits; null where regions are to be made one by one.
-template <class Arcs> class Arc_functions {
- public:
-  explicit Arc_functions(Instruction_set set) {
-    if (set == Instruction_set::NONE) return;
-    many_ = function_for<Arcs_of_kind<Arcs>>(set);
-    few_ = &few_function<Arcs>;
-    lanes_ = function_for<Lanes_of_kind<Arcs>>(set);
-  }
-  /// Makes arcs in groups of eight pieces.
-  [[nodiscard]] Arc_function of_many(int kind) const { return many_ != nullptr ? many_(kind) : nullptr; }
-  /// Makes arcs piece by piece, which is quicker for one or two.
-  [[nodiscard]] Arc_function of_few(int kind) const { return few_ != nullptr ? few_(kind) : nullptr; }
-  /// Makes the arcs of eight segments.
-  [[nodiscard]] Lanes_function of_lanes(int kind) const { return lanes_ != nullptr ? lanes_(kind) : nullptr; }
-
- private:
-  Arc_function (*many_)(int kind) = nullptr;
-  Arc_function (*few_)(int kind) = nullptr;
-  Lanes_function (*lanes_)(int kind) = nullptr;
-};
-
-}  // namespace filter
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::filter
 
 #endif

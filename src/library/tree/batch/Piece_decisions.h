@@ -42,7 +42,7 @@ class Piece_decisions {
  public:
   /// `bound` must outlive the object.
   Piece_decisions(const Open_piece& bound, const Batch_functions& functions, const Segment_curve& segment)
-      : bound_(bound), grid_(segment.first, segment.last), curve_{segment}, batch_(functions(curve_.local)) {}
+      : bound_(bound), grid_(segment.first, segment.last), curve_{segment}, batch_(functions.many(curve_.local.kind)) {}
 
   Piece_decisions(const Piece_decisions&) = delete;  // refers to itself
 
@@ -145,7 +145,7 @@ class Look_ahead {
       question.eps.of[lane] = internal::reachable(eps, first[i]);
     };
     for_lanes(first, count, question.curves, serves, set, [&](int kind, const std::size_t* places, std::size_t size) {
-      const Top_function function = functions.of_top(kind);
+      const Top_function function = functions.top(kind);
       if (function == nullptr) return;
       for (std::size_t lane = 0; lane < size; ++lane) slots_[places[lane]] = LANES * answers_.size() + lane;
       function(question, answers_.emplace_back());

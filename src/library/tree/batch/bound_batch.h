@@ -169,7 +169,7 @@ void decide_roughly(const Local_curve& curve, const Local_form<float>& form, con
 }
 
 /// How far an upper bound that is kept may be above the thickness, in parts of it. Others are left open, and then had
-/// from more digits: kept thicknesses and measures of pieces (tree/internal/Filtered_decider.h) are the same by all
+/// from more digits: kept thicknesses and measures of pieces (tree/internal/Piece_decider.h) are the same by all
 /// ways.
 inline constexpr double CLOSE_BOUND = 0x1p-24;
 [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE bool is_close(double lower, double upper) {

@@ -57,6 +57,7 @@ class Piece_filter {
   using Spiral = Bezier_spiral_2<double>;
 
  public:
+  /// \param set NONE leaves all pieces to others, as a method without batches does
   Piece_filter(Method method, Instruction_set set);
   Piece_filter(const Piece_filter& other) : Piece_filter(other.method_, other.set_) {}
   Piece_filter& operator=(const Piece_filter&) = delete;
@@ -80,7 +81,7 @@ class Piece_filter {
   struct State;
   Method method_;
   Instruction_set set_;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<State> state_;  // where there are batches
 };
 
 }  // namespace filter

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Decides pieces in batches where construction, number type and segment have them, and piece by piece where these leave
-// a piece open.  Nodes and breaks are those of Plain_decider.
+// a piece open.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_FILTERED_DECIDER_H
-#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_FILTERED_DECIDER_H
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_PIECE_DECIDER_H
+#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_PIECE_DECIDER_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
@@ -79,23 +79,41 @@ template <class Traits> class Measure_bound {
   decltype(bound_of(std::declval<const Traits&>())) bound_;
 };
 
-/// A model of PieceDecider (doc/concepts.md).
-template <class Traits, class Spiral> class Plain_decider {
- public:
-  Plain_decider(const Traits& traits, Instruction_set)
-      : bound_(traits.bound_thickness_2_object()), measure_bound_(traits) {}
+/// Decides pieces in batches where construction, number type and segment have them, else piece by piece: nodes and
+/// breaks are the same.
+template <class Traits, class Spiral> class Piece_decider {
+  static constexpr filter::Method METHOD =
+      filter::has_local_curve_v<Spiral> ? filter::METHOD<typename Traits::Construction> : filter::Method::NONE;
+  static constexpr bool HAS_FILTER = METHOD != filter::Method::NONE;
+  // Subtrees of halved segments are made by the filter over double only, as exact kernels are to be what the algorithm
+  // says; measures, which decide nothing, over all number types.
+  static constexpr bool IS_DOUBLE =
+      HAS_FILTER && std::is_same_v<typename Traits::FT, double> && std::is_same_v<Spiral, Bezier_spiral_2<double>>;
 
-  /// Does nothing, as each segment is decided by itself.
-  void look_ahead(const Spiral*, std::size_t, double, bool) {}
+ public:
+  /// \param set NONE decides each piece by itself
+  Piece_decider(const Traits& traits, Instruction_set set)
+      : bound_(traits.bound_thickness_2_object()), measure_bound_(traits), filter_(METHOD, set) {}
+
+  /// Tells which segments subdivide is called for next: what is to be decided of them together.
+  void look_ahead([[maybe_unused]] const Spiral* first, [[maybe_unused]] std::size_t count, [[maybe_unused]] double eps,
+                  [[maybe_unused]] bool keeps_thickness) {
+    if constexpr (IS_DOUBLE) filter_.look_ahead(first, count, eps, keeps_thickness);
+  }
   /// Appends a segment's subtree, see Bounding_arcs::subdivide.
   [[nodiscard]] internal::Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
                                                 internal::Region_nodes& nodes, Decision_counts& counts) {
+    if constexpr (IS_DOUBLE)
+      if (const auto s = filter_.subdivide(spiral, eps, limit, nodes, counts, open_piece(spiral, bound_))) return *s;
     return Bounding_arcs::subdivide(bound_, spiral, eps, limit, nodes, counts);
   }
 
   /// Whether pieces place and, for `count` 2, place + 1 of a level are thicker than eps, a bit each.
   [[nodiscard]] unsigned are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
                                    double eps) const {
+    if constexpr (IS_DOUBLE)
+      if (const auto thick = filter_.are_thick(spiral, level, place, count, eps, open_piece(spiral, bound_)))
+        return *thick;
     const Spiral_grid grid(spiral.first(), spiral.last());
     unsigned above = 0;
     for (unsigned i = 0; i < count; ++i) {
@@ -108,84 +126,32 @@ template <class Traits, class Spiral> class Plain_decider {
   /// Sets the measures of the pieces between breaks, see thickness_measure.
   void measure(const Spiral& spiral, double eps, const std::vector<double>& breaks, std::vector<double>& measures,
                Decision_counts& counts) const {
+    const auto piece = [&](std::size_t i) { return Piece_source<Spiral>{spiral, breaks[i], breaks[i + 1]}; };
+    bool is_bounded = false;
+    if constexpr (HAS_FILTER)
+      is_bounded =
+          filter_.bound(spiral.local_curve(), eps, breaks, measures, counts, open_piece(spiral, measure_bound_));
     measures.resize(breaks.size() - 1);
     for (std::size_t i = 0; i < measures.size(); ++i) {
-      const Piece_source<Spiral> piece{spiral, breaks[i], breaks[i + 1]};
-      const Thickness_bound thickness = measure_bound_(piece, eps);
-      ++(thickness.was_exact ? counts.exact : counts.bounded);
-      measures[i] = thickness_measure(thickness.upper, piece, eps, measure_bound_);
+      if (!is_bounded) {
+        const Thickness_bound thickness = measure_bound_(piece(i), eps);
+        ++(thickness.was_exact ? counts.exact : counts.bounded);
+        measures[i] = thickness.upper;
+      }
+      measures[i] = thickness_measure(measures[i], piece(i), eps, measure_bound_);
     }
   }
 
  private:
-  decltype(std::declval<const Traits&>().bound_thickness_2_object()) bound_;
-  Measure_bound<Traits> measure_bound_;
-};
-
-}  // namespace CGAL::Bounding_arcs
-
-namespace CGAL::Bounding_arcs::filter {
-
-/// A model of PieceDecider (doc/concepts.md). Subtrees of halved segments are made by the filter over double only, as
-/// exact kernels are to be what the algorithm says; measures, which decide nothing, over all number types.
-template <class Traits, class Spiral> class Filtered_decider {
-  static constexpr bool IS_DOUBLE =
-      std::is_same_v<typename Traits::FT, double> && std::is_same_v<Spiral, Bezier_spiral_2<double>>;
-  using Bound = decltype(std::declval<const Traits&>().bound_thickness_2_object());
-
- public:
-  Filtered_decider(const Traits& traits, Instruction_set set)
-      : plain_(traits, set), bound_(traits.bound_thickness_2_object()), measure_bound_(traits),
-        filter_(METHOD<typename Traits::Construction>, set) {}
-
-  /// Tells which segments subdivide is called for next: what is to be decided of them together.
-  void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness) {
-    if constexpr (IS_DOUBLE) filter_.look_ahead(first, count, eps, keeps_thickness);
-  }
-  [[nodiscard]] internal::Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
-                                                internal::Region_nodes& nodes, Decision_counts& counts) {
-    if constexpr (IS_DOUBLE)
-      if (const auto s = filter_.subdivide(spiral, eps, limit, nodes, counts, open_piece(spiral, bound_))) return *s;
-    return plain_.subdivide(spiral, eps, limit, nodes, counts);
-  }
-
-  [[nodiscard]] unsigned are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
-                                   double eps) const {
-    if constexpr (IS_DOUBLE)
-      if (const auto thick = filter_.are_thick(spiral, level, place, count, eps, open_piece(spiral, bound_)))
-        return *thick;
-    return plain_.are_thick(spiral, level, place, count, eps);
-  }
-
-  void measure(const Spiral& spiral, double eps, const std::vector<double>& breaks, std::vector<double>& measures,
-               Decision_counts& counts) const {
-    if (!filter_.bound(spiral.local_curve(), eps, breaks, measures, counts, open_piece(spiral, measure_bound_)))
-      return plain_.measure(spiral, eps, breaks, measures, counts);
-    for (std::size_t i = 0; i < measures.size(); ++i)
-      measures[i] =
-          thickness_measure(measures[i], Piece_source<Spiral>{spiral, breaks[i], breaks[i + 1]}, eps, measure_bound_);
-  }
-
- private:
-  template <class AnyBound> [[nodiscard]] static Open_piece open_piece(const Spiral& spiral, const AnyBound& bound) {
+  template <class AnyBound>
+  [[nodiscard]] static filter::Open_piece open_piece(const Spiral& spiral, const AnyBound& bound) {
     return [&](double begin, double end, double eps) { return bound(Piece_source<Spiral>{spiral, begin, end}, eps); };
   }
 
-  Plain_decider<Traits, Spiral> plain_;
-  Bound bound_;
+  decltype(std::declval<const Traits&>().bound_thickness_2_object()) bound_;
   Measure_bound<Traits> measure_bound_;
-  Piece_filter filter_;
+  filter::Piece_filter filter_;
 };
-
-}  // namespace CGAL::Bounding_arcs::filter
-
-namespace CGAL::Bounding_arcs {
-
-/// Who decides the pieces of a tree: the filter where it serves traits and segments, else each piece by itself.
-template <class Traits, class Spiral>
-using Default_decider = std::conditional_t<filter::has_local_curve_v<Spiral> &&
-                                               filter::METHOD<typename Traits::Construction> != filter::Method::NONE,
-                                           filter::Filtered_decider<Traits, Spiral>, Plain_decider<Traits, Spiral>>;
 
 }  // namespace CGAL::Bounding_arcs
 
