@@ -15,7 +15,6 @@
 #ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_BOUNDARY_H
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_AXIS_BOUNDARY_H
 
-#include "../tree/Directed_segment.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Bounding_parts.h"
 #include "Hidden_turns.h"

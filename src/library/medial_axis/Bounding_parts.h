@@ -9,7 +9,6 @@
 #define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_BOUNDING_PARTS_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include "../tree/Directed_segment.h"
 #include "../tree/Segment_hierarchy.h"
 
 #include <cstdint>
@@ -17,6 +16,16 @@
 #include <memory>
 #include <optional>
 #include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A segment in its direction or against it.
+struct Directed_segment {
+  std::uint32_t segment = 0;
+  bool is_reversed = false;
+};
+
+}  // namespace CGAL::Bounding_arcs
 
 namespace CGAL::Bounding_arcs::internal {
 

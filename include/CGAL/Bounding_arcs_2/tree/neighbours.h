@@ -23,30 +23,27 @@ template <class Tree> [[nodiscard]] Curve_place place_of(const Tree& tree, const
 }
 
 namespace internal {
-/// The leaf of a segment that holds what comes just behind t. \pre first() <= t < last()
+/// The last leaf of a segment of which all nodes above begin where is_taken(t0) says so, but for those at its start.
 /// \complexity the depth of the leaf
-template <class Tree> [[nodiscard]] Node_handle leaf_behind(const Tree& tree, std::size_t spiral, double t) {
+template <class Tree, class IsTaken>
+[[nodiscard]] Node_handle last_leaf(const Tree& tree, std::size_t spiral, const IsTaken& is_taken) {
   Node_handle h = tree.segment_root(static_cast<std::uint32_t>(spiral));
   while (!h.is_leaf) {
     std::optional<Node_handle> next;
     tree.for_each_child(h, [&](const Node_handle& child) {
-      if (!next && t < tree.node(child).t1) next = child;
+      if (!next || is_taken(tree.node(child).t0)) next = child;
     });
     h = *next;
   }
   return h;
 }
+/// The leaf of a segment that holds what comes just behind t. \pre first() <= t < last()
+template <class Tree> [[nodiscard]] Node_handle leaf_behind(const Tree& tree, std::size_t spiral, double t) {
+  return last_leaf(tree, spiral, [t](double t0) { return t0 <= t; });
+}
 /// The leaf of a segment that holds what comes just before t. \pre first() < t <= last()
 template <class Tree> [[nodiscard]] Node_handle leaf_before(const Tree& tree, std::size_t spiral, double t) {
-  Node_handle h = tree.segment_root(static_cast<std::uint32_t>(spiral));
-  while (!h.is_leaf) {
-    Node_handle next;
-    tree.for_each_child(h, [&](const Node_handle& child) {
-      if (tree.node(child).t0 < t) next = child;
-    });
-    h = next;
-  }
-  return h;
+  return last_leaf(tree, spiral, [t](double t0) { return t0 < t; });
 }
 }  // namespace internal
 
