@@ -13,8 +13,7 @@
 #include <CGAL/Bounding_arcs_2/spiral/internal/Layered_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include "../polynomial/Root_isolator.h"
-
-#include <CGAL/FPU.h>
+#include "Cubic_roots.h"
 
 #include <algorithm>
 #include <array>
@@ -82,17 +81,12 @@ using Numerator_roots = std::array<Unit_roots, NUMERATOR_COUNT>;
   return cuts;
 }
 
-/// Knows no roots.
-struct No_root_filter {
-  std::optional<Unit_roots> operator()(Numerator) const { return std::nullopt; }
-};
-
-/// \param filter filter(which) returns the roots of a numerator where it knows them
-template <class Filter> [[nodiscard]] Numerator_roots numerator_roots(const Cut_numbers& curve, const Filter& filter) {
+/// \param filter tells the roots of numerators where it knows them
+[[nodiscard]] inline Numerator_roots numerator_roots(const Cut_numbers& curve, const Cubic_roots* filter = nullptr) {
   Numerator_roots roots;
   for (const Numerator which : {SPEED_X, SPEED_Y, INFLECTION, CURVATURE_CHANGE}) {
-    if (std::optional<Unit_roots> known = filter(which)) roots[which] = std::move(*known);
-    else roots[which] = isolate_roots(layered_numerator(curve, which));
+    std::optional<Unit_roots> known = filter != nullptr ? (*filter)(which) : std::nullopt;
+    roots[which] = known ? std::move(*known) : isolate_roots(layered_numerator(curve, which));
   }
   return roots;
 }
@@ -114,29 +108,6 @@ template <class Filter> [[nodiscard]] Numerator_roots numerator_roots(const Cut_
   if (x.is_zero && y.is_zero) return false;
   const Unit_roots& of = x.is_zero ? y : x;
   return std::any_of(of.roots.begin(), of.roots.end(), is_hidden);
-}
-
-/// See Bounding_arcs::spiral_parameters.
-template <class Filter> [[nodiscard]] Spiral_parameters spiral_cuts(const Cut_numbers& curve, const Filter& filter) {
-  ++cut_count();
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const Numerator_roots roots = numerator_roots(curve, filter);
-  const auto vanishes = [&roots](Numerator which, double t) { return vanishes_at(roots[which], t); };
-  Spiral_parameters r;
-  r.breaks = separated_cuts(roots);
-  for (const double t : r.breaks) {
-    const bool is_x = vanishes(SPEED_X, t), is_y = vanishes(SPEED_Y, t);
-    r.reasons.push_back(is_x && is_y              ? Cut_reason::CUSP
-                        : is_x                    ? Cut_reason::X
-                        : is_y                    ? Cut_reason::Y
-                        : vanishes(INFLECTION, t) ? Cut_reason::INFLECTION
-                                                  : Cut_reason::VERTEX);
-  }
-  r.is_point = roots[SPEED_X].is_zero && roots[SPEED_Y].is_zero;
-  r.is_straight = roots[INFLECTION].is_zero;
-  r.is_circular = roots[CURVATURE_CHANGE].is_zero && !r.is_straight;
-  r.has_hidden_tip = has_hidden_tip(curve, roots, r.breaks);
-  return r;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

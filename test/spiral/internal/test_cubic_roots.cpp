@@ -190,9 +190,8 @@ const Family FAMILIES[] = {
 
 // The number of numerators that the filter knows the roots of.
 int expect_same_roots(const Bezier_curve_2<double>& c) {
-  const internal::Numerator_roots plain = internal::with_cut_numbers(c, [](const internal::Cut_numbers& numbers) {
-    return internal::numerator_roots(numbers, internal::No_root_filter());
-  });
+  const internal::Numerator_roots plain = internal::with_cut_numbers(
+      c, [](const internal::Cut_numbers& numbers) { return internal::numerator_roots(numbers); });
   const internal::Cubic_roots filter(c);
   int known = 0;
   for (const internal::Numerator which : {SPEED_X, SPEED_Y, INFLECTION, CURVATURE_CHANGE})

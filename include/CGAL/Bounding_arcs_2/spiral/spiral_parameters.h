@@ -62,8 +62,10 @@ template <class NT, class Work> [[nodiscard]] auto with_cut_numbers(const Bezier
   return work(Cut_numbers{fine, exact, has_double_end});
 }
 
-/// Cuts a curve that no other way is known for.
-[[nodiscard]] Spiral_parameters spiral_cuts(const Cut_numbers& curve);
+class Cubic_roots;  // src/library/spiral/Cubic_roots.h
+
+/// Cuts a curve. \param filter tells roots where it knows them
+[[nodiscard]] Spiral_parameters spiral_cuts(const Cut_numbers& curve, const Cubic_roots* filter = nullptr);
 
 template <class NT> void check_finite(const Bezier_curve_2<NT>& curve) {
   if constexpr (std::is_floating_point_v<NT>) {
