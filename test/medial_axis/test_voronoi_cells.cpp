@@ -6,6 +6,7 @@
 
 #include "axis_checks.h"
 #include "cases.h"
+#include "closed_drawings.h"
 #include "near_equal_discs.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <random>
 #include <utility>
@@ -85,6 +87,133 @@ TEST(VoronoiCells, OfACircleIsItsDisc) {
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_TRUE(cells[0].rim.empty());
   EXPECT_NEAR(area_of(ba::cell_polygon(tree, axis, cells[0], 256)), 3.141592653589793, 1e-4);
+}
+
+const double SCALES[] = {1e-14, 1e-3, 1, 1e3, 1e5, 1e14};
+
+// The cells of a drawing in a frame 1 away, all times a scale. Together they are the frame.
+struct Scaled_cells {
+  Scaled_cells(const Drawing& drawing, double scale)
+      : scale(scale), tree(ba::framed(moved(drawing, scale, {0, 0}), scale)), axis(framed_axis(tree, 1e-3 * scale)),
+        cells(ba::voronoi_cells(tree, axis)) {
+    EXPECT_EQ(axis.status, Status::COMPLETE);
+    const std::vector<Bezier>& frame = tree.drawing().curves().back().beziers;
+    const Point way = (1 / scale) * (frame[1].control_points().back() - frame[0].control_points().front());
+    double sum = 0;
+    for (const auto& cell : cells) sum += area(cell);
+    EXPECT_NEAR(sum, way.x * way.y, 1e-4 * way.x * way.y) << scale;
+  }
+  [[nodiscard]] double area(const Medial_axis_2::Cell& cell) const {
+    std::vector<Point> polygon;
+    for (const Point& p : ba::cell_polygon(tree, axis, cell, 256)) polygon.push_back((1 / scale) * p);
+    return area_of(polygon);
+  }
+  // Of the cells on one side of a curve.
+  [[nodiscard]] std::vector<Medial_axis_2::Cell> of(std::uint32_t curve, bool is_reversed) const {
+    std::vector<Medial_axis_2::Cell> result;
+    for (const auto& cell : cells)
+      if (cell.curve == curve && cell.is_reversed == is_reversed) result.push_back(cell);
+    return result;
+  }
+
+  double scale;
+  Tree tree;
+  Medial_axis_2 axis;
+  std::vector<Medial_axis_2::Cell> cells;
+};
+
+const double QUARTER = std::atan(1.0);  // of the unit disc
+
+// The arc from (1, 0) to (0, 1) about 0.
+Bezier quarter_arc() { return circle_of_quarters().front(); }
+
+TEST(VoronoiCells, HaveTheSectorOfAnArcThatMeetsOtherCurves) {
+  for (const double scale : SCALES) {
+    Drawing one = drawing_of({quarter_arc()});
+    one.add(Bezier({{1, 0}, {3, -1}}));
+    const auto sector = Scaled_cells(one, scale).of(0, false);
+    ASSERT_EQ(sector.size(), 1U) << scale;
+    EXPECT_EQ(sector[0].first.t, 0);
+    EXPECT_EQ(sector[0].last.t, 1);
+    EXPECT_FALSE(sector[0].is_whole);
+
+    Drawing two = drawing_of({quarter_arc()});
+    two.add(Bezier({{1, 0}, {1, -1}}));
+    two.add(Bezier({{0, 1}, {-1, 1}}));
+    const Scaled_cells of_two(two, scale);
+    const auto alone = of_two.of(0, false);
+    ASSERT_EQ(alone.size(), 1U) << scale;
+    EXPECT_TRUE(alone[0].rim.empty());
+    EXPECT_NEAR(of_two.area(alone[0]), QUARTER, 1e-4);
+    const Point center = (1 / scale) * of_two.axis.vertices[alone[0].vertex].center;
+    EXPECT_NEAR(center.x, 0, 1e-12);
+    EXPECT_NEAR(center.y, 0, 1e-12);
+
+    const Scaled_cells of_way(drawing_of({Bezier({{3, -1}, {1, 0}}), quarter_arc(), Bezier({{0, 1}, {0, 5}})}), scale);
+    EXPECT_EQ(of_way.of(0, false).size(), 1U) << scale;
+  }
+}
+
+TEST(VoronoiCells, HaveASectorForEachCurveRoundADisc) {
+  for (const double scale : SCALES) {
+    Drawing drawing;
+    for (const Bezier& quarter : circle_of_quarters()) drawing.add(quarter);
+    const Scaled_cells found(drawing, scale);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto sector = found.of(i, false);
+      ASSERT_EQ(sector.size(), 1U) << scale;
+      EXPECT_TRUE(sector[0].rim.empty());
+      EXPECT_FALSE(sector[0].is_whole);
+      EXPECT_NEAR(found.area(sector[0]), QUARTER, 1e-4);
+    }
+  }
+}
+
+TEST(VoronoiCells, OfALoopLeadFromACrossingBackToIt) {
+  for (const double scale : SCALES) {
+    const Scaled_cells found(drawing_of({Bezier({{-26, 19}, {-50, -22}, {11, -10}, {-40, 21}})}), scale);
+    int loops = 0;
+    for (const auto& cell : found.cells) {
+      if (cell.curve != 0) continue;
+      EXPECT_FALSE(cell.is_whole) << scale;
+      EXPECT_NE(cell.first.t, cell.last.t) << scale;
+      const bool is_loop = !cell.is_reversed && cell.first.t > 0 && cell.last.t < 1;
+      if (!is_loop) continue;
+      ++loops;
+      EXPECT_NEAR(cell.first.t, 0.049840958, 1e-9) << scale;
+      EXPECT_NEAR(cell.last.t, 0.911753533, 1e-9) << scale;
+    }
+    EXPECT_EQ(loops, 1) << scale;
+  }
+}
+
+TEST(VoronoiCells, AreWholeWhereRunsGoRoundAClosedCurve) {
+  for (const double scale : SCALES) {
+    // a line crosses the circle once: a run within goes from there all round
+    Drawing crossed = drawing_of(circle_of_quarters());
+    crossed.add(Bezier({{0.25, 0.5}, {2, 2}}));
+    // one Bezier curve with a corner
+    const Drawing drop = drawing_of({Bezier({{0, 0}, {4, 4}, {-4, 4}, {0, 0}})});
+    for (const Drawing& drawing : {crossed, drop}) {
+      const Scaled_cells found(drawing, scale);
+      for (const bool is_reversed : {false, true}) {
+        const auto cells = found.of(0, is_reversed);
+        ASSERT_EQ(cells.size(), 1U) << scale;
+        EXPECT_TRUE(cells[0].is_whole) << scale << ' ' << is_reversed;
+      }
+    }
+  }
+}
+
+TEST(VoronoiCells, BeginAndEndAtParametersThatAreNotNegative) {
+  Drawing drawing = drawing_of({Bezier({{-2, 4}, {-1, 4}, {-1, 5}}, {1, std::sqrt(0.5), 1})});
+  drawing.add(Bezier({{-2, 4}, {-3, 4}}));
+  const Scaled_cells found(drawing, 1);
+  for (const auto& cell : found.cells)
+    for (const double t : {cell.first.t, cell.last.t}) EXPECT_FALSE(std::signbit(t)) << cell.curve;
+  for (const auto& edge : found.axis.edges)
+    for (const auto& s : edge.samples)
+      for (const double t : {s.left.t, s.right.t}) EXPECT_FALSE(std::signbit(t)) << s;
 }
 
 // Checks areas and the curves of random places.

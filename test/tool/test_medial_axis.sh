@@ -69,6 +69,17 @@ run medial-axis oblong.json --eps 1e-6 --cells --frame 1 --format svg
 grep -q 'fill-opacity' "$results/out" || fail "$command_line: no cell is drawn"
 run medial-axis oblong.json --eps 1e-6 --cells --prune 1
 expect_status 2
+# An arc whose ends other curves share has a sector, about the vertex in its center.
+cat > sector.json << 'END'
+{"curves":[{"type":"bezier","degree":2,"control_points":[[1,0],[1,1],[0,1]],"weights":[1,1,2]},
+{"type":"bezier","degree":1,"control_points":[[1,0],[1,-1]]},
+{"type":"bezier","degree":1,"control_points":[[0,1],[-1,1]]}]}
+END
+run medial-axis sector.json --eps 1e-3 --cells --frame 1
+expect_status 0
+grep -qE '"curve":0,.*"reversed":false,"whole":false,"rim":\[\],"vertex":[0-9]+\}' "$results/out" ||
+  fail "$command_line: no sector"
+! grep -q '"t":-' "$results/out" || fail "$command_line: a parameter below 0"
 
 run medial-axis oblong.json --eps 1e-3 --prune-angle 170
 expect_status 2

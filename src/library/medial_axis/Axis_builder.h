@@ -69,8 +69,7 @@ class Axis_graph {
                                          const std::vector<Axis_sample>& samples) const {
     Medial_axis_2::Edge edge{from, to, {}};
     edge.samples.reserve(samples.size());
-    for (const Axis_sample& s : samples)
-      edge.samples.push_back({s.center, told(s.radius), boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
+    for (const Axis_sample& s : samples) edge.samples.push_back({s.center, told(s.radius), told(s.b), told(s.a)});
     return edge;
   }
   void add(Medial_axis_2::Edge edge) {
@@ -115,6 +114,12 @@ class Axis_graph {
  private:
   // Where curves meet, a radius is 0 but for rounding.
   [[nodiscard]] double told(double radius) const { return radius < 0 && radius > -boundary_.resolution() ? 0 : radius; }
+  // Parameters along a reversed side are negative, which makes -0 of 0.
+  [[nodiscard]] Curve_place told(const Boundary_place& p) const {
+    Curve_place place = boundary_.curve_place(p);
+    place.t += 0.0;
+    return place;
+  }
   [[nodiscard]] std::size_t root(std::size_t i) const {
     while (joined_[i] != i) i = joined_[i];
     return i;
@@ -144,7 +149,7 @@ class Axis_graph {
   void add_touches(const Axis_node& node, Medial_axis_2::Vertex& vertex) const {
     const auto point = [&](const Curve_place& p) { return point_at(boundary_.curves(), p); };
     for (const Boundary_place& touch : node.touches) {
-      const Curve_place place = boundary_.curve_place(touch);
+      const Curve_place place = told(touch);
       const bool is_known = std::any_of(vertex.touches.begin(), vertex.touches.end(), [&](const Curve_place& p) {
         return euclidean_norm(point(p) - point(place)) <= 64 * boundary_.resolution();
       });

@@ -117,12 +117,15 @@ class Foot_runs {
     return points;
   }
 
- private:
   /// A place as one of a segment.
   struct Name {
     std::uint32_t segment;
     double t;
   };
+  /// The names of a place: one at a joint is on all segments that end there. The first is that of its own segment.
+  [[nodiscard]] std::vector<Name> names(const Curve_place& p) const { return names(p, least_); }
+
+ private:
   [[nodiscard]] static std::optional<Foot_run> between(const std::vector<Name>& of_a, const std::vector<Name>& of_b) {
     std::optional<Foot_run> best;
     std::pair<std::size_t, double> least;  // first those that have the names that were given, then the shortest
@@ -140,7 +143,6 @@ class Foot_runs {
   [[nodiscard]] double length(const Foot_run& run) const {
     return euclidean_norm(curves_.sample(run.segment, run.to).point - curves_.sample(run.segment, run.from).point);
   }
-  // A place at a joint is on all segments that end there. The first name is that of the place's own segment.
   [[nodiscard]] std::vector<Name> names(const Curve_place& p, double room) const {
     std::vector<Name> names;
     const std::uint32_t bezier = curves_.number_of_bezier(p.curve, p.bezier);

@@ -48,28 +48,101 @@ class Places {
   }
   /// +1 where the curve's parameter grows from one foot to the next, -1 where it falls, 0 where they are one place.
   [[nodiscard]] int direction(const Curve_place& from, const Curve_place& to) const {
+    if (is_end(from) && is_end(to) && curves_.drawing().curves()[from.curve].is_closed) return 0;
     Curve_place p = from, q = on_piece(to, from.bezier);
     if (p.bezier != q.bezier) p = on_piece(from, to.bezier), q = to;
     if (p.bezier != q.bezier) return p.bezier < q.bezier ? 1 : -1;
     return (q.t > p.t) - (q.t < p.t);
   }
-  /// Whether a curve comes to one point at two places.
-  [[nodiscard]] bool are_crossing(const Curve_place& p, const Curve_place& q) const {
-    const Xy<double> from = point(p), way = point(q) - from;
-    return direction(p, q) != 0 && euclidean_norm(way) <= 0x1p-40;  // of the drawing, and more than of a crossing
+  [[nodiscard]] double distance(const Curve_place& p, const Curve_place& q) const {
+    return euclidean_norm(point(q) - point(p));
   }
 
  private:
   const Segment_hierarchy& curves_;
 };
 
+/// Finds the arcs of boundaries that the disc of a vertex touches.
+class Touched_arcs {
+ public:
+  Touched_arcs(const Bounding_parts& bounds, const Foot_runs& runs, double size)
+      : curves_(bounds.segments), runs_(runs), room_(ROOM * size), next_(2 * curves_.number_of_segments(), NONE) {
+    for (const Bounding_ring& ring : bounds.rings)
+      for (std::size_t i = 0; i < ring.way.size(); ++i)
+        next_[number_of(ring.way[i])] = number_of(ring.way[(i + 1) % ring.way.size()]);
+  }
+
+  /// \param to the same place as `from` where a ring is an arc that the disc touches
+  /// \return the way along the boundary, empty where the disc does not touch it from one place to the other one
+  [[nodiscard]] std::vector<Foot_run> between(const Curve_place& from, const Curve_place& to,
+                                              const Medial_axis_2::Vertex& v) const {
+    const std::vector<Foot_runs::Name> ends = runs_.names(to);
+    for (const Foot_runs::Name& start : runs_.names(from))
+      for (const std::uint32_t is_reversed : {0U, 1U}) {
+        std::vector<Foot_run> way = way_from(2 * start.segment + is_reversed, start.t, ends, v);
+        if (!way.empty()) return way;
+      }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] static std::uint32_t number_of(const Directed_segment& s) {
+    return 2 * s.segment + (s.is_reversed ? 1 : 0);
+  }
+  [[nodiscard]] double start_of(std::uint32_t side) const {
+    const Spiral_piece_2 piece = curves_.piece(side / 2);
+    return side % 2 != 0 ? piece.last.t : piece.first.t;
+  }
+  [[nodiscard]] std::vector<Foot_run> way_from(std::uint32_t side, double t, const std::vector<Foot_runs::Name>& ends,
+                                               const Medial_axis_2::Vertex& v) const {
+    std::vector<Foot_run> way;
+    for (std::size_t sides = 0; sides <= next_.size() && side != NONE; ++sides) {
+      const Spiral_piece_2 piece = curves_.piece(side / 2);
+      const bool is_reversed = side % 2 != 0;
+      Foot_run run;
+      run.segment = side / 2, run.from = t, run.to = is_reversed ? piece.first.t : piece.last.t;
+      bool is_there = false;
+      for (const Foot_runs::Name& end : ends) {
+        const bool is_ahead = is_reversed ? run.to <= end.t && end.t <= t : t <= end.t && end.t <= run.to;
+        // a way that begins where it ends goes all round
+        if (end.segment == run.segment && is_ahead && (end.t != t || !way.empty())) run.to = end.t, is_there = true;
+      }
+      if (run.from != run.to) {
+        if (!is_touched(run, v)) return {};
+        way.push_back(run);
+      }
+      if (is_there) return way;
+      side = next_[side];
+      if (side != NONE) t = start_of(side);
+    }
+    return {};
+  }
+  // Whether a part of a segment, which is a spiral, is an arc of the vertex's circle, and the vertex to its left.
+  [[nodiscard]] bool is_touched(const Foot_run& run, const Medial_axis_2::Vertex& v) const {
+    const double middle = run.from + 0.5 * (run.to - run.from);
+    for (const double t : {run.from, middle, run.to})
+      if (std::fabs(euclidean_norm(curves_.sample(run.segment, t).point - v.center) - v.radius) > room_) return false;
+    const Spiral_sample m = curves_.sample(run.segment, middle);
+    return (cross(m.tangent, v.center - m.point) > 0) == run.is_growing();
+  }
+
+  static constexpr double ROOM = 0x1p-36;  // of the size; all points of the boundary are as right
+  static constexpr std::uint32_t NONE = Bounding_parts::NO_LABEL;
+
+  const Segment_hierarchy& curves_;
+  const Foot_runs& runs_;
+  double room_;
+  std::vector<std::uint32_t> next_;  // in rings, by segment: 2 segment + (1 where it is reversed)
+};
+
 /// Goes along the boundary of all regions by both sides of each edge: the right feet run along it, the left ones
-/// against the edge's direction.
+/// against the edge's direction. Where a disc touches an arc of the boundary, feet go on along that.
 class Cell_walk {
  public:
   Cell_walk(const Bounding_parts& bounds, const Medial_axis_2& axis)
-      : places_(bounds.segments), curves_(bounds.segments),
-        runs_(bounds, LEAST * coordinate_size(bounds.segments.drawing())), axis_(axis) {
+      : places_(bounds.segments), curves_(bounds.segments), size_(coordinate_size(curves_.drawing())),
+        least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_), arcs_(bounds, runs_, size_),
+        axis_(axis) {
     link();
   }
 
@@ -81,24 +154,26 @@ class Cell_walk {
       for (std::size_t at = side; !is_done[at]; at = next_[at]) {
         is_done[at] = true;
         for (std::size_t k = 0; k + 1 < size(at); ++k) cycle.push_back(line(at, k));
+        add_arcs(end_of(at), foot(at, size(at) - 1), foot(next_[at], 0), cycle);
       }
-      add_runs(std::move(cycle));
+      add_runs(cycle);
     }
     const std::vector<std::size_t> degree = degrees(axis_);
     for (std::size_t i = 0; i < degree.size(); ++i)
-      if (degree[i] == 0) add_disc(axis_.vertices[i]);
+      if (degree[i] == 0) add_disc(i);
     std::stable_sort(cells_.begin(), cells_.end(),
                      [](const Medial_axis_2::Cell& a, const Medial_axis_2::Cell& b) { return a.curve < b.curve; });
     return std::move(cells_);
   }
 
  private:
-  // From one sample of a side to the next one.
+  // From one sample of a side to the next one, or, along an arc, about the center of a vertex.
   struct Line {
     std::size_t side, first;
     Curve_place from, to;
     std::uint32_t beyond;
     int direction;
+    std::optional<std::size_t> vertex{};  // of an arc
   };
 
   [[nodiscard]] static bool is_left(std::size_t side) { return side % 2 != 0; }
@@ -107,6 +182,7 @@ class Cell_walk {
   [[nodiscard]] std::size_t sample(std::size_t side, std::size_t k) const {
     return is_left(side) ? size(side) - 1 - k : k;
   }
+  [[nodiscard]] std::size_t end_of(std::size_t side) const { return is_left(side) ? edge(side).from : edge(side).to; }
   [[nodiscard]] const Curve_place& foot(std::size_t side, std::size_t k, bool is_own = true) const {
     const Medial_axis_2::Sample& s = edge(side).samples[sample(side, k)];
     return is_left(side) == is_own ? s.left : s.right;
@@ -122,7 +198,7 @@ class Cell_walk {
       leaving[axis_.edges[i].to].push_back(2 * i + 1);
     }
     for (std::size_t side = 0; side < next_.size(); ++side) {
-      const std::size_t vertex = is_left(side) ? edge(side).from : edge(side).to;
+      const std::size_t vertex = end_of(side);
       const Curve_place& last = foot(side, size(side) - 1);
       double least = HUGE_VAL;
       for (const std::size_t other : leaving[vertex]) {
@@ -152,16 +228,32 @@ class Cell_walk {
     return {side, k, from, to, run(false).first.curve, places_.direction(from, to)};
   }
 
-  // The cell of a curve that is a circle, which has no edge within.
-  void add_disc(const Medial_axis_2::Vertex& v) {
-    const auto is_other = [&](const Curve_place& p) { return p.curve != v.touches.front().curve; };
-    if (v.touches.empty() || std::any_of(v.touches.begin(), v.touches.end(), is_other)) return;
-    const Curve_place& p = v.touches.front();
-    cells_.push_back({p.curve, p, p, !places_.is_on_left(v.center, p), true, {}});
+  // Adds the arcs that a vertex touches from one foot to the next one.
+  void add_arcs(std::size_t vertex, const Curve_place& last, const Curve_place& next, std::vector<Line>& cycle) const {
+    if (places_.distance(last, next) > least_) add_way(vertex, last, next, cycle);
+  }
+  void add_way(std::size_t vertex, const Curve_place& last, const Curve_place& next, std::vector<Line>& cycle) const {
+    for (const Foot_run& run : arcs_.between(last, next, axis_.vertices[vertex]))
+      cycle.push_back({0, 0, curves_.place_at(run.segment, run.from), curves_.place_at(run.segment, run.to), 0,
+                       run.is_growing() ? 1 : -1, vertex});
+  }
+  // The cells of a disc that is all of a region, which has no edge.
+  void add_disc(std::size_t vertex) {
+    const std::vector<Curve_place>& touches = axis_.vertices[vertex].touches;
+    std::vector<Line> ring;
+    if (!touches.empty()) add_way(vertex, touches.front(), touches.front(), ring);
+    add_runs(ring);
+  }
+
+  // Whether a curve comes to one point at two places, and is elsewhere between them.
+  [[nodiscard]] bool are_crossing(const Curve_place& p, const Curve_place& q) const {
+    if (places_.direction(p, q) == 0 || places_.distance(p, q) > least_) return false;
+    const Curve_place end = places_.on_piece(q, p.bezier);
+    return end.bezier != p.bezier || places_.distance(p, {p.curve, p.bezier, 0.5 * (p.t + end.t)}) > least_;
   }
 
   // Cuts a cycle where feet come to another curve, or turn back at the end of one.
-  void add_runs(std::vector<Line> cycle) {
+  void add_runs(const std::vector<Line>& cycle) {
     std::vector<int> directions(cycle.size());  // of the run that a line is in: feet that stay are in the one before
     int last = 0;
     for (int round = 0; round < 2; ++round)
@@ -173,36 +265,46 @@ class Cell_walk {
     const auto is_cut = [&](std::size_t i) {
       const std::size_t k = (i + cycle.size() - 1) % cycle.size();
       return cycle[i].from.curve != cycle[k].from.curve || directions[i] * directions[k] < 0 ||
-             places_.are_crossing(cycle[k].to, cycle[i].from);
+             are_crossing(cycle[k].to, cycle[i].from);
     };
     std::size_t start = 0;
     while (start < cycle.size() && !is_cut(start)) ++start;
-    const bool is_whole = start == cycle.size();
+    const bool is_uncut = start == cycle.size();
     for (std::size_t n = 0; n < cycle.size(); ++n) {
-      const std::size_t i = (n + (is_whole ? 0 : start)) % cycle.size();
+      const std::size_t i = (n + (is_uncut ? 0 : start)) % cycle.size();
       const Line& l = cycle[i];
-      if (n == 0 || (!is_whole && is_cut(i))) {
+      if (n == 0 || (!is_uncut && is_cut(i))) {
         cells_.emplace_back();
         cells_.back().curve = l.from.curve;
         cells_.back().first = l.from;
-        cells_.back().is_whole = is_whole;
+        cells_.back().is_whole = is_uncut;
       }
-      Medial_axis_2::Cell& cell = cells_.back();
-      if (directions[i] != 0) cell.is_reversed = directions[i] < 0;
-      cell.last = l.to;
-      const std::size_t number = l.side / 2, from = sample(l.side, l.first), to = sample(l.side, l.first + 1);
-      if (!cell.rim.empty() && cell.rim.back().edge == number && cell.rim.back().last == from &&
-          cell.rim.back().beyond == l.beyond && (cell.rim.back().first < from) == (from < to))
-        cell.rim.back().last = to;
-      else cell.rim.push_back({number, from, to, l.beyond});
+      add_line(l, directions[i], cells_.back());
     }
+  }
+  void add_line(const Line& l, int direction, Medial_axis_2::Cell& cell) const {
+    if (direction != 0) cell.is_reversed = direction < 0;
+    cell.last = l.to;
+    // feet that move go one way alone, so that they are back only after all of a closed curve
+    if (l.direction != 0 && places_.direction(cell.first, cell.last) == 0) cell.is_whole = true;
+    if (l.vertex) {
+      cell.vertex = *l.vertex;
+      return;
+    }
+    const std::size_t number = l.side / 2, from = sample(l.side, l.first), to = sample(l.side, l.first + 1);
+    if (!cell.rim.empty() && cell.rim.back().edge == number && cell.rim.back().last == from &&
+        cell.rim.back().beyond == l.beyond && (cell.rim.back().first < from) == (from < to))
+      cell.rim.back().last = to;
+    else cell.rim.push_back({number, from, to, l.beyond});
   }
 
   static constexpr double LEAST = 0x1p-42;  // of the size: lengths below are nothing
 
   Places places_;
   const Segment_hierarchy& curves_;
+  double size_, least_;  // the latter: places no farther apart are one
   Foot_runs runs_;
+  Touched_arcs arcs_;
   const Medial_axis_2& axis_;
   std::vector<std::size_t> next_;  // side 2i is the right one of edge i, 2i + 1 the left one
   std::vector<Medial_axis_2::Cell> cells_;
@@ -241,6 +343,7 @@ std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medi
     at.bezier = cell.is_reversed ? (at.bezier + n - 1) % n : (at.bezier + 1) % n;
     at.t = 1 - end;
   }
+  if (cell.rim.empty() && !cell.is_whole) polygon.push_back(axis.vertices[cell.vertex].center);
   for (auto part = cell.rim.rbegin(); part != cell.rim.rend(); ++part) {
     const auto step = part->first < part->last ? -1 : 1;
     const auto& samples = axis.edges[part->edge].samples;

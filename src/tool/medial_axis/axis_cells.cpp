@@ -23,7 +23,9 @@ void write_cells(std::ostream& out, const Cells& cells, const Bounding_arc_tree_
       out << comma << "[" << part.edge << "," << part.first << "," << part.last << "," << part.beyond << "]";
       comma = ",";
     }
-    out << "]}";
+    out << "]";
+    if (cell.rim.empty()) out << ",\"vertex\":" << cell.vertex;
+    out << "}";
     between = ",\n";
   }
   out << "],";

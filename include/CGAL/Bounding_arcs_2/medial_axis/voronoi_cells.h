@@ -10,6 +10,8 @@
 //     first ----- run of the curve -----> last
 //       |                                  |       lines from feet to centers; none where curves meet in a corner
 //     center ------- rim, of edges ----> center
+//
+// Where a disc touches an arc of the boundary, feet run along that while the center stays.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_VORONOI_CELLS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_VORONOI_CELLS_H
@@ -41,12 +43,13 @@ struct Medial_axis_2::Cell {
   std::uint32_t curve = 0;
   Curve_place first{}, last{};  ///< the run of the curve, with the cell on its left
   bool is_reversed = false;     ///< the run is against the direction of the curve
-  bool is_whole = false;        ///< the run is all of a closed curve
+  bool is_whole = false;        ///< the run goes once round a closed curve, from `first` back to it, or is a point
   std::vector<Rim> rim;         ///< from the disc that touches at `first` to that at `last`
+  std::size_t vertex = 0;       ///< where there is no rim: one disc touches all of the run, and this is its vertex
 };
 
-/// Returns the cells of an axis's regions, by their curves. A circle has a cell without a rim. A disc that several
-/// curves enclose has none.
+/// Returns the cells of an axis's regions, by their curves. A cell without a rim is a sector between an arc and its
+/// center. A circle has all of its disc; of a disc that several curves enclose each has a sector.
 /// \param tree of the curves that the axis is of
 /// \pre the axis is complete
 /// \guarantee rims are within axis.eps of those of the curves, as good as the axis is; cells share rims, and together
