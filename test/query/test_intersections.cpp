@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
+#include "../../src/library/curve/exact_bezier.h"
 #include "../../src/library/query/exact_intersections.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -332,6 +334,85 @@ TEST(Intersections, BesideAnOverlapStayOpen) {
     EXPECT_EQ(common.points.front().kind, Kind::UNDECIDED);
     EXPECT_TRUE(touch(common.points.front().a.t, {0.5, 0.5}));
   }
+}
+
+// Weights between 10^-decades and 10^decades: parameters are coarser than coordinates where the curve is fast.
+Bezier uneven_piece(std::mt19937& random, int degree, double decades) {
+  std::uniform_real_distribution<double> coordinate(-1, 1), exponent(-decades, decades);
+  Points points;
+  std::vector<double> weights;
+  for (int i = 0; i <= degree; ++i) {
+    const double x = coordinate(random), y = coordinate(random);
+    points.push_back({x, y});
+    weights.push_back(std::pow(10, exponent(random)));
+  }
+  return Bezier(points, weights);
+}
+
+TEST(Intersections, OfUnevenWeightsAreTheExactOnes) {
+  std::mt19937 random(4);
+  const int count = cases(150);
+  for (int i = 0; i < count; ++i) {
+    const Bezier p = uneven_piece(random, 3 + i % 3, 3);
+    const ba::Bounding_arc_tree_2 a = index_of({p});
+    expect_same(ba::exact_self_intersections(a.in_unit().exact_bezier(0)), ba::self_intersections(a), text_of(p));
+  }
+}
+
+// Crossings of the polygon of samples with itself; sides next to each other have none.
+std::size_t sampled_crossings(const std::vector<Bezier>& chain) {
+  constexpr int SAMPLES = 1 << 14;
+  Points points;
+  for (const Bezier& piece : chain)
+    for (int i = 0; i < SAMPLES; ++i) points.push_back(piece.point(double(i) / SAMPLES));
+  std::vector<std::size_t> sides(points.size() - 1);
+  std::iota(sides.begin(), sides.end(), std::size_t(0));
+  const auto least = [&](std::size_t i) { return (std::min)(points[i].x, points[i + 1].x); };
+  std::sort(sides.begin(), sides.end(), [&](std::size_t i, std::size_t j) { return least(i) < least(j); });
+  const auto are_parted = [&](std::size_t i, std::size_t j) {  // the ends of side j by the line of side i
+    const auto along = points[i + 1] - points[i];
+    return (cross(along, points[j] - points[i]) < 0) != (cross(along, points[j + 1] - points[i]) < 0);
+  };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const std::size_t i = sides[k];
+    const double most = (std::max)(points[i].x, points[i + 1].x);
+    for (std::size_t m = k + 1; m < sides.size() && least(sides[m]) <= most; ++m) {
+      const std::size_t j = sides[m];
+      if (i + 1 != j && j + 1 != i && are_parted(i, j) && are_parted(j, i)) ++count;
+    }
+  }
+  return count;
+}
+
+// Elimination would take minutes for each of them: where doubles leave a curve open beside a cut, it runs ahead.
+TEST(Intersections, OfUnevenWeightsInHighDegreesAreThoseOfSamples) {
+  std::size_t points = 0;
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    std::mt19937 random(seed);
+    const Bezier p = uneven_piece(random, 32, 1), q = uneven_piece(random, 24, 1);
+    Points next = q.control_points();
+    next.front() = p.control_points().back();
+    const std::vector<Bezier> chain{p, Bezier(next, q.weights())};
+    const ba::Intersections_2<> found = ba::self_intersections(index_of(chain));
+    EXPECT_EQ(found.points.size(), sampled_crossings(chain)) << seed;
+    EXPECT_TRUE(found.overlaps.empty()) << seed;
+    points += found.points.size();
+  }
+  EXPECT_GT(points, 8U);
+}
+
+TEST(Intersections, OfPartsThatRunAheadAreNone) {
+  const auto exact = [](const Bezier& b) { return ba::exact_bezier(b); };
+  const auto loop = exact(Bezier(Points{{0, 0}, {3, 2}, {-2, 2}, {1, 0}}));
+  EXPECT_FALSE(ba::runs_ahead(loop, 0, 1));
+  EXPECT_TRUE(ba::runs_ahead(loop, 0, 0.25));
+  EXPECT_TRUE(ba::runs_ahead(loop, 0.5, 0.5 + 0x1p-50));
+  const auto cusp = exact(Bezier(Points{{0, 0}, {1, 1}, {0, 1}, {1, 0}}));  // at 1/2
+  EXPECT_FALSE(ba::runs_ahead(cusp, 0.5 - 0x1p-40, 0.5 + 0x1p-40));
+  EXPECT_TRUE(ba::runs_ahead(cusp, 0.5 + 0x1p-20, 0.5 + 0x1p-19));
+  const auto fast = exact(Bezier(Points{{0, 0}, {1, 1}, {2, 0}}, {1, 0x1p-4, 0x1p-8}));
+  EXPECT_TRUE(ba::runs_ahead(fast, 0, 1));
 }
 
 TEST(Intersections, OfNothingAreNone) {

@@ -54,11 +54,32 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     error_ = a_.error(segment_a) + b_.error(segment_b);
     budget_ = MOST_PAIRS;
     const auto of_a = a_.region(segment_a), of_b = b_.region(segment_b);  // most are apart, and need no pieces
-    if (!are_apart(of_a, of_b)) refine({a_.piece(segment_a), of_a}, {b_.piece(segment_b), of_b});
+    if (!are_apart(of_a, of_b)) refine({directed(a_, segment_a), of_a}, {directed(b_, segment_b), of_b});
   }
 
  private:
   static constexpr int MOST_PAIRS = 400;  // halvings that a tangency within 2^-40 takes, twice
+
+  // A segment as long as a cut is wide does not tell its directions at its ends. All of them are near the one in its
+  // middle, as C'' has a bound.
+  [[nodiscard]] static Spiral_piece_2 directed(const Curves& curves, std::uint32_t segment) {
+    Spiral_piece_2 piece = curves.piece(segment);
+    if (std::isfinite(tangent_error(piece.first, piece.last))) return piece;
+    const std::uint32_t bezier = curves.bezier_of(segment);
+    const Bezier_evaluator& curve = curves.evaluator(bezier);
+    const double rounding = curves.rounding(bezier), span = piece.last.t - piece.first.t, t = piece.first.t + span / 2;
+    const Curve_jet jet = curve(t);
+    const double speed = euclidean_norm(jet.first), error = curve.errors_at(t, jet).first,
+                 change = span * (curve.second_bound() + curve.second_change(rounding));
+    constexpr double MOST = 0.25;  // a cone that is told apart from others
+    const double room = (error + curve.first_change(rounding, error) + change) / speed * (1 + 0x1p-40) + 4 * HALF_ULP;
+    if (!(room <= MOST)) return piece;
+    for (Spiral_sample* end : {&piece.first, &piece.last}) {
+      end->tangent = (1 / speed) * jet.first;
+      end->tangent_error = room;
+    }
+    return piece;
+  }
 
   void leave_open(const Piece& a, const Piece& b) {
     results_.open.push_back(
@@ -134,11 +155,30 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     const double t0 = a.piece.first.t, t1 = a.piece.last.t, s0 = b.piece.first.t, s1 = b.piece.last.t;
     const std::optional<Newton_box> root = newton_box(of(a_, a.piece), of(b_, b.piece));
     if (!root) return false;
+    if (has_common_end(*root, a.piece.segment, b.piece.segment)) return root->is_unique_on(t0, t1, s0, s1);
     if (root->is_on(t0, t1, s0, s1)) {
       results_.roots.push_back(*root);
       return true;
     }
     return root->is_unique_on(t0, t1, s0, s1);
+  }
+
+  // Whether the only root in a box is a common end, which the pieces at that end tell.
+  [[nodiscard]] bool has_common_end(const Newton_box& root, std::uint32_t segment_a, std::uint32_t segment_b) const {
+    if (root.is_inside()) return false;
+    const auto end_of = [](const Curves& curves, std::uint32_t segment, double t) {
+      const auto& p = curves.bezier(curves.bezier_of(segment)).control_points();
+      Spiral_sample end;
+      end.t = t;
+      end.point = t == 0 ? p.front() : p.back();
+      return end;
+    };
+    for (const double t : {0.0, 1.0})
+      for (const double s : {0.0, 1.0}) {
+        const Spiral_sample p = end_of(a_, segment_a, t), q = end_of(b_, segment_b, s);
+        if (root.is_on(t, t, s, s) && p.point == q.point && same_end_(segment_a, p, segment_b, q)) return true;
+      }
+    return false;
   }
 
   const Curves &a_, &b_;
@@ -311,9 +351,18 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // A root whose range reaches over an end of its piece may be on the next one, or none.
   void leave_open_what_is_at_ends() {
-    for (const Numbered_point& o : results_.open) open_.push_back(o.beziers);
+    for (const Numbered_point& o : results_.open) {
+      if (!open_.empty() && open_.back() == o.beziers) continue;
+      if (!does_run_ahead(o)) open_.push_back(o.beziers);
+    }
     for (const internal::Newton_box& root : results_.roots)
       if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
+  }
+  // Filter: of one piece, from the one part to the other one.
+  [[nodiscard]] bool does_run_ahead(const Numbered_point& o) const {
+    const Bracket &t = o.common.a, &s = o.common.b;
+    return is_self_ && o.beziers.first == o.beziers.second && exact() &&
+           runs_ahead(a_.exact_bezier(o.beziers.first), (std::min)(t.lower, s.lower), (std::max)(t.upper, s.upper));
   }
   [[nodiscard]] bool is_open(const Pair& beziers) const {
     return std::binary_search(open_.begin(), open_.end(), beziers);

@@ -17,6 +17,7 @@
 
 #include "../curve/Integer_piece.h"
 #include "../polynomial/Integer_polynomial.h"
+#include "../spiral/spiral_cuts.h"
 
 #include <CGAL/FPU.h>
 
@@ -296,6 +297,34 @@ Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational
   const Integer_piece p(a);
   if (p.is_point()) return {};
   return internal::Zero_set(internal::equations(p)).result();
+}
+
+// The direction is that of both ends together. C' is a combination of its control points, and the curve rises in the
+// direction where none of them falls, and one rises.
+bool runs_ahead(const Bezier_curve_2<Exact_rational>& a, double t0, double t1) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  using Interval = internal::Unprotected_interval;
+  const auto derivative = [&](const internal::Cut_numbers& numbers, internal::Numerator which) {
+    const auto whole = internal::layered_numerator(numbers, which).enclosure();
+    return whole.restricted(Interval(t0), Interval(1) - Interval(t0), Interval(t1), Interval(1) - Interval(t1))
+        .scaled_coefficients();
+  };
+  return internal::with_cut_numbers(a, [&](const internal::Cut_numbers& numbers) {
+    (void)numbers.fine();  // while numbers round to the nearest
+    const Protect_FPU_rounding<true> upward;
+    const auto x = derivative(numbers, internal::SPEED_X), y = derivative(numbers, internal::SPEED_Y);
+    const auto middle = [](const Interval& p, const Interval& q) {
+      return (p.inf() + p.sup()) / 4 + (q.inf() + q.sup()) / 4;
+    };
+    const Interval ahead_x(middle(x.front(), x.back())), ahead_y(middle(y.front(), y.back()));
+    bool rises = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Interval rise = ahead_x * x[i] + ahead_y * y[i];
+      if (rise.inf() < 0) return false;
+      rises = rises || rise.inf() > 0;
+    }
+    return rises;
+  });
 }
 
 // A curve over [t0, t1] as seen from a point, times its weight: X = sum w (P.x - q.x) B, Y = sum w (P.y - q.y) B.

@@ -36,6 +36,10 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee as exact_intersections
 [[nodiscard]] Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>& a);
 
+/// Whether a piece runs ahead in one direction between two parameters, so that it does not meet itself there.
+/// \return false, too, where intervals do not tell
+[[nodiscard]] bool runs_ahead(const Bezier_curve_2<Exact_rational>& a, double t0, double t1);
+
 // Common points of two pieces with the first one's parameters as exact numbers: what exact_intersections rounds.
 
 /// A common point: the exact parameter of the first piece, and doubles around that of the second one.
