@@ -206,6 +206,34 @@ TEST(Measures, OfEllipsesAreAsTightAsDoublesTell) {
     }
 }
 
+// A quarter of a circle by curves of higher degrees: intervals tell nothing of differences of high orders.
+TEST(Measures, OfHighDegreesAreKnown) {
+  using Homogeneous = std::array<double, 3>;
+  const double root = std::sqrt(0.5);
+  std::vector<Homogeneous> quarter{{1, 0, 1}, {root, root, root}, {0, 1, 1}};
+  for (int degree = 3; degree <= 32; ++degree) {
+    std::vector<Homogeneous> raised(quarter.size() + 1, Homogeneous{});
+    for (std::size_t i = 0; i < quarter.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        raised[i][k] += static_cast<double>(quarter.size() - i) / degree * quarter[i][k];
+        raised[i + 1][k] += static_cast<double>(i + 1) / degree * quarter[i][k];
+      }
+    quarter = raised;
+    std::vector<ba::Xy<double>> points;
+    std::vector<double> weights;
+    for (const Homogeneous& p : quarter) {
+      points.push_back({p[0] / p[2], p[1] / p[2]});
+      weights.push_back(p[2]);
+    }
+    ba::Drawing_2<double> drawing;
+    drawing.add({Lattice_curve(points, weights), Lattice_curve({points.back(), {0, 0}}),
+                 Lattice_curve({{0, 0}, points.front()})});
+    const Measure_bounds area = ba::area(Bounding_arc_tree_2(drawing), 0);
+    expect_holds(area, std::acos(-1.0) / 4, 1e-14, "area");
+    EXPECT_LT(area.upper - area.lower, 1e-11) << degree;
+  }
+}
+
 TEST(Measures, OfPolynomialCurvesAreTheNearestDoubles) {
   ba::Drawing_2<double> drawing;
   drawing.add(polygon({{1e8, 1e8}, {1e8 + 3, 1e8}, {1e8 + 3, 1e8 + 1}, {1e8, 1e8 + 1}}));

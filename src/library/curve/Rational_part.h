@@ -14,6 +14,9 @@
 // of the least weight w, it is W >= w / 2 there, and with bounds X and Y of the coordinates of N
 //   |g| <= M = (X Y' + Y X') / (w / 2)^2,  |C_x g| <= M X / (w / 2).
 // Gauss_rule.h tells what its nodes miss then. Else, and where that is more than rounding, the part is halved.
+//
+// Differences of order k of a half are means of those of the whole, over 2^k.  In high degrees intervals tell less of
+// them: their widths double with each order.
 
 #ifndef BOUNDING_ARCS_LIBRARY_CURVE_RATIONAL_PART_H
 #define BOUNDING_ARCS_LIBRARY_CURVE_RATIONAL_PART_H
@@ -78,7 +81,7 @@ class Rational_part {
   [[nodiscard]] Bounded_moments beside_chord(const Xy<double>& about) const {
     const CGAL::Protect_FPU_rounding<true> protection;
     Bounded_moments m;
-    add(points_, 0, m);
+    add(points_, nullptr, 0, m);
     const Vector end = euclidean(points_.back()), to = way(from_, to_);
     const Number g = cross(end, to);
     m += {g, (end.x + to.x) / 2 * g, (end.y + to.y) / 2 * g};
@@ -117,72 +120,86 @@ class Rational_part {
     return {left, right};
   }
 
-  // Bounds of numbers with these coefficients and of their derivatives by s, where |s| <= R.
+  // The most that differences are in size, by their order.
+  using Differences = boost::container::small_vector<double, 4>;
+  // \param of_whole those of the part that this one is half of, if there is one
+  template <class Coefficient>
+  [[nodiscard]] static Differences differences(const Points& points, const Differences* of_whole,
+                                               const Coefficient& coefficient) {
+    boost::container::small_vector<Number, 4> row;
+    for (const Homogeneous& p : points) row.push_back(coefficient(p));
+    Differences result;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      double most = 0;
+      for (const Number& d : row) most = (std::max)(most, CGAL::abs(d).sup());
+      if (of_whole != nullptr) most = (std::min)(most, std::ldexp((*of_whole)[k], -static_cast<int>(k)));
+      result.push_back(most);
+      for (std::size_t i = 0; i + 1 < row.size(); ++i) row[i] = row[i + 1] - row[i];
+      row.pop_back();
+    }
+    return result;
+  }
+  struct All_differences {
+    Differences x, y, w;
+  };
+
+  // Bounds of numbers with coefficients of such differences and of their derivatives by s, where |s| <= R.
   struct Bounds {
     Number value, derivative;
   };
-  template <class Coefficient>
-  [[nodiscard]] static Bounds bounds(const Points& points, double half_axis, const Coefficient& coefficient) {
-    boost::container::small_vector<Number, 4> differences;
-    for (const Homogeneous& p : points) differences.push_back(coefficient(p));
-    const auto most = [&] {
-      double found = 0;
-      for (const Number& d : differences) found = (std::max)(found, CGAL::abs(d).sup());
-      return found;
-    };
-    const std::size_t n = points.size() - 1;
-    Bounds result{most(), 0};
+  [[nodiscard]] static Bounds bounds(const Differences& most, double half_axis) {
+    const std::size_t n = most.size() - 1;
+    Bounds result{most[0], 0};
     Number factor(1);  // binomial(n, k) (R / 2)^k
     for (std::size_t k = 1; k <= n; ++k) {
-      for (std::size_t i = 0; i + k <= n; ++i) differences[i] = differences[i + 1] - differences[i];
-      differences.pop_back();
       const auto left = static_cast<double>(n + 1 - k), order = static_cast<double>(k);
-      result.derivative += factor * (left / 2 * most());
+      result.derivative += factor * (left / 2 * most[k]);
       factor = factor * left / order * (half_axis / 2);
-      result.value += factor * most();
+      result.value += factor * most[k];
     }
     return result;
   }
 
   // Adds the integrals of g and C g over the part.
-  static void add(const Points& points, int halvings, Bounded_moments& sum) {
+  static void add(const Points& points, const All_differences* of_whole, int halvings, Bounded_moments& sum) {
     constexpr Gauss_rule::Ellipse ELLIPSE = Gauss_rule::ELLIPSES[2];
     // those of a parameter, and some, where weights change much; where points are known hardly better than they are far
     // apart, differences of these stay as large, which is nothing then
     constexpr int MOST_HALVINGS = 60, ENOUGH_HALVINGS = 6;
     constexpr double ROUNDING = 0x1p-52;
-    double least = points.front().w.inf(), heaviest = least, wide = 0, high = 0;
+    double least = points.front().w.inf(), wide = 0, high = 0;
     for (const Homogeneous& p : points) {
       const Vector q = euclidean(p);
       least = (std::min)(least, p.w.inf());
-      heaviest = (std::max)(heaviest, p.w.sup());
       wide = (std::max)(wide, CGAL::abs(q.x).sup());
       high = (std::max)(high, CGAL::abs(q.y).sup());
     }
-    const auto over = [&](const auto& of) { return bounds(points, ELLIPSE.half_axis, of); };
-    const Bounds x = over([](const Homogeneous&p) { return p.n.x; }),
-                 y = over([](const Homogeneous&p) { return p.n.y; });
+    const All_differences own{
+        differences(points, of_whole != nullptr ? &of_whole->x : nullptr, [](const Homogeneous& p) { return p.n.x; }),
+        differences(points, of_whole != nullptr ? &of_whole->y : nullptr, [](const Homogeneous& p) { return p.n.y; }),
+        differences(points, of_whole != nullptr ? &of_whole->w : nullptr, [](const Homogeneous& p) { return p.w; })};
+    const Bounds x = bounds(own.x, ELLIPSE.half_axis), y = bounds(own.y, ELLIPSE.half_axis);
     const Number w(least / 2),
-        change = over([](const Homogeneous&p) { return p.w; }).value - heaviest,
+        change = bounds(own.w, ELLIPSE.half_axis).value - own.w[0],
         most = (x.value * y.derivative + y.value * x.derivative) / CGAL::square(w) * ELLIPSE.missed;
     const bool is_analytic = change.sup() <= w.inf(),
                is_known = is_analytic && (halvings >= ENOUGH_HALVINGS || most.sup() <= ROUNDING * wide * high);
     if (!is_known && halvings < MOST_HALVINGS) {
       const auto [first, second] = halves(points, Number(0.5));
-      add(first, halvings + 1, sum);
-      add(second, halvings + 1, sum);
+      add(first, &own, halvings + 1, sum);
+      add(second, &own, halvings + 1, sum);
       return;
     }
     if (!is_known) return add_box(points, sum);
-    Bounded_moments own;
+    Bounded_moments found;
     for (const Gauss_rule::Node& node : Gauss_rule::NODES) {
-      add_node(points, (Number(1) + rounded(node.x)) / 2, rounded(node.weight), own);
-      add_node(points, (Number(1) - rounded(node.x)) / 2, rounded(node.weight), own);
+      add_node(points, (Number(1) + rounded(node.x)) / 2, rounded(node.weight), found);
+      add_node(points, (Number(1) - rounded(node.x)) / 2, rounded(node.weight), found);
     }
     // g is by t here, and half of it by s
     const auto missed = [](const Number& v) { return Number(-v.sup(), v.sup()); };
-    sum += {own.area / 2 + missed(most), own.x / 2 + missed(most * (x.value / w)),
-            own.y / 2 + missed(most * (y.value / w))};
+    sum += {found.area / 2 + missed(most), found.x / 2 + missed(most * (x.value / w)),
+            found.y / 2 + missed(most * (y.value / w))};
   }
   // What is written is some digits of the exact number.
   [[nodiscard]] static Number rounded(double x) { return {x * (1 - 0x1p-52), x * (1 + 0x1p-52)}; }
