@@ -359,6 +359,20 @@ TEST(Intersections, OfUnevenWeightsAreTheExactOnes) {
   }
 }
 
+// Ends of lines that miss others by 1e-11 to 1e-14: a crossing beside two ends that are not one point is a crossing.
+TEST(Intersections, BesideEndsThatAreNotOneAreFound) {
+  const std::vector<Bezier> lines{Bezier(Points{{0, 0}, {-2, -2}}), Bezier(Points{{-2, -1.9999999999908515}, {4, -2}}),
+                                  Bezier(Points{{3.9999999981730983, -2.0000000018269017}, {-3, -2}}),
+                                  Bezier(Points{{-2.999999916418225, -1.9999999164182252}, {-1, -2}}),
+                                  Bezier(Points{{-1, -2.0000000000000067}, {-2, 1}})};
+  for (const Bezier& p : lines)
+    for (const Bezier& q : lines)
+      if (&p != &q)
+        EXPECT_EQ(ba::intersections(index_of({p}), index_of({q})).points.size(),
+                  ba::exact_intersections(ba::exact_bezier(p), ba::exact_bezier(q)).points.size())
+            << text_of(p) << text_of(q);
+}
+
 // Crossings of the polygon of samples with itself; sides next to each other have none.
 std::size_t sampled_crossings(const std::vector<Bezier>& chain) {
   constexpr int SAMPLES = 1 << 14;

@@ -130,6 +130,7 @@ M2
 END
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --format csv
 rounded
+cp "$results/out" whole
 expect_output << 'END'
 path,kind,x,y,z,bulge
 0,carve,0,2,0,0
@@ -163,17 +164,8 @@ END
 # A ridge at that depth, or above it by so little that there is no pocket, is carved at that depth.
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 1 --format csv
 rounded
-expect_output << 'END'
-path,kind,x,y,z,bulge
-0,carve,0,2,0,0
-0,carve,1,1,-1,0
-0,carve,7,1,-1,0
-0,carve,8,0,0,0
-1,carve,8,2,0,0
-1,carve,7,1,-1,0
-2,carve,0,0,0,0
-2,carve,1,1,-1,0
-END
+expect_output < whole
+rm whole
 run medial-axis bar.svg --eps 0.01 --v-bit 90 --max-depth 0.9999 --format csv
 rounded
 expect_output << 'END'

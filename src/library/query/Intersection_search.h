@@ -72,8 +72,10 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     const double speed = euclidean_norm(jet.first), error = curve.errors_at(t, jet).first,
                  change = span * (curve.second_bound() + curve.second_change(rounding));
     constexpr double MOST = 0.25;  // a cone that is told apart from others
-    const double room = (error + curve.first_change(rounding, error) + change) / speed * (1 + 0x1p-40) + 4 * HALF_ULP;
-    if (!(room <= MOST)) return piece;
+    const double share = (error + curve.first_change(rounding, error) + change) / speed;
+    if (!(share <= MOST)) return piece;
+    // vectors that differ by that share of one of them differ by less than (1 + share^2) times as much as directions
+    const double room = share * (1 + share * share) * (1 + 0x1p-40) + 4 * HALF_ULP;
     for (Spiral_sample* end : {&piece.first, &piece.last}) {
       end->tangent = (1 / speed) * jet.first;
       end->tangent_error = room;
