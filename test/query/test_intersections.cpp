@@ -366,11 +366,12 @@ TEST(Intersections, BesideEndsThatAreNotOneAreFound) {
                                   Bezier(Points{{-2.999999916418225, -1.9999999164182252}, {-1, -2}}),
                                   Bezier(Points{{-1, -2.0000000000000067}, {-2, 1}})};
   for (const Bezier& p : lines)
-    for (const Bezier& q : lines)
-      if (&p != &q)
-        EXPECT_EQ(ba::intersections(index_of({p}), index_of({q})).points.size(),
-                  ba::exact_intersections(ba::exact_bezier(p), ba::exact_bezier(q)).points.size())
-            << text_of(p) << text_of(q);
+    for (const Bezier& q : lines) {
+      if (&p == &q) continue;
+      EXPECT_EQ(ba::intersections(index_of({p}), index_of({q})).points.size(),
+                ba::exact_intersections(ba::exact_bezier(p), ba::exact_bezier(q)).points.size())
+          << text_of(p) << text_of(q);
+    }
 }
 
 // Crossings of the polygon of samples with itself; sides next to each other have none.
