@@ -333,6 +333,23 @@ TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
   EXPECT_THROW((void)ba::sleeve({}, 0, 1e-3), std::invalid_argument);
 }
 
+// In the coordinates of a country: what is left of an arc is a point, and as far from the last one as coordinates tell.
+TEST(TouchingOffsets, OfCirclesFarAwayByTheirRadiusVanish) {
+  const Point at{2600036.481, 1200083.367}, beyond{2600034.081, 1200080.167},
+      left{2600033.8580688685, 1200083.1724419217}, right{2600036.7039311314, 1200080.3615580783};
+  const std::vector<double> narrow{1, 0.7534246575342466, 1}, wide{1, 0.6575342465753425, 1};
+  Drawing drawing;
+  drawing.add({Bezier({at, {2600035.084636364, 1200084.4142727274}, left}, narrow),
+               Bezier({left, {2600032.2476666667, 1200081.5420000001}, beyond}, wide),
+               Bezier({beyond, {2600035.477363636, 1200079.1197272725}, right}, narrow),
+               Bezier({right, {2600038.314333333, 1200081.9919999999}, at}, wide)});
+  for (const double eps : {5e-6, 1e-5, 2e-5, 1e-4}) {
+    const Offset inset = ba::offset(ba::Bounding_arc_tree_2(drawing), -2, eps);
+    EXPECT_EQ(inset.status, Offset::Status::COMPLETE);
+    EXPECT_TRUE(inset.chains.empty());
+  }
+}
+
 TEST(OffsetSeries, InsetsEndWhereNothingIsLeft) {
   const Drawing drawing = both(rectangle(3, 2), drawing_of(Bezier({{1, 1}, {1, 1}})));  // points vanish at once
   const std::vector<Offset> insets = ba::insets(ba::Bounding_arc_tree_2(drawing), 0.3, 1e-6);

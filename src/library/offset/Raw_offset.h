@@ -78,8 +78,10 @@ using Raw_loop = std::vector<Raw_part>;
   if (!(std::fabs(b) < 1 && std::fabs(sine) <= MOST && std::fabs(share * sine) <= MOST)) return std::nullopt;
   return share * sine;
 }
-/// The arc of the same curvature from another start that is near.
+/// The arc of the same curvature from another start that is near; a segment to an arc that is a point, as the offset of
+/// a circle by nearly its radius may be.
 [[nodiscard]] inline Arc_2 from_another_start(const Arc_2& arc, const Xy<double>& start) {
+  if (arc.from == arc.to) return {start, arc.to, 0};
   if (const std::optional<double> sine = half_turn_sine(arc, start))
     return {start, arc.to, *sine / (1 + std::sqrt(1 - *sine * *sine))};
   const double was = euclidean_norm(arc.to - arc.from), is = euclidean_norm(arc.to - start);
@@ -89,6 +91,7 @@ using Raw_loop = std::vector<Raw_part>;
 /// than twice as much as the start. Where b / L is kept in place of the curvature k = 4 b / ((1 + b^2) L), that changes
 /// by less than b^2 times the way, too.
 [[nodiscard]] inline double way_off(const Arc_2& arc, const Xy<double>& start) {
+  if (arc.from == arc.to) return euclidean_norm(start - arc.from);
   const double square = 1 + arc.bulge * arc.bulge, length = euclidean_norm(arc.to - arc.from);
   return std::fabs(side_of_circle(start, arc)) / (square * length) * 2 +
          (half_turn_sine(arc, start) ? 0 : arc.bulge * arc.bulge * euclidean_norm(start - arc.from));
