@@ -291,6 +291,29 @@ inline Drawing with_decimals(std::mt19937& random) {
   return drawing_of(chain);
 }
 
+/// Slots and rounded rectangles as programs convert them from inches or make them in the coordinates of a country: the
+/// radius is short of half the width by 1e-4 to 1e-8 of it, so that straight ends as short are between quarter circles.
+inline Drawing slots_with_short_ends(std::mt19937& random) {
+  const auto one_of = [&](const std::vector<double>& numbers) {
+    return numbers[static_cast<std::size_t>(whole(random, 0, static_cast<int>(numbers.size()) - 1))];
+  };
+  const double scale = std::pow(10, std::uniform_real_distribution<double>(0, 6.5)(random)),
+               half = one_of({1, 2, 2.5, 3.175, 4.2333335}), length = one_of({1, 5, 17.25}),
+               radius = half * (1 - std::pow(10, std::uniform_real_distribution<double>(-8, -4)(random))),
+               x = std::round(scale) + 0.25 * whole(random, 0, 40),
+               y = std::round(scale / 2) + 0.25 * whole(random, 0, 40), right = x + length + 2 * half,
+               top = y + 2 * half;
+  const Point points[] = {{x + radius, y},       {right - radius, y}, {right, y + radius}, {right, top - radius},
+                          {right - radius, top}, {x + radius, top},   {x, top - radius},   {x, y + radius}};
+  std::vector<Bezier> chain;
+  for (int i = 0; i < 8; ++i) {
+    const Point &p = points[i], &q = points[(i + 1) % 8];
+    if (i % 2 == 1) chain.push_back(arc_of_radius(p, q, radius));
+    else if (p != q) chain.push_back(segment(p, q));
+  }
+  return drawing_of(chain);
+}
+
 /// Paths of cubics as they are drawn with a pen, with three decimals: handles are in their nodes, along a line or
 /// anywhere, so that curves end with an endless curvature, and corners turn by little.
 inline Drawing pen_paths(std::mt19937& random) {
@@ -387,6 +410,7 @@ inline constexpr Drawn_kind DRAWN_KINDS[] = {
     {"NearHandles", [](std::mt19937& random) { return filled(random, paths_with_near_handles(random)); }, 0},
     {"FramedNearHandles", [](std::mt19937& random) { return in_frame(random, paths_with_near_handles(random)); }, 0},
     {"Decimals", [](std::mt19937& random) { return filled(random, with_decimals(random)); }, 60},
+    {"ShortEnds", [](std::mt19937& random) { return filled(random, slots_with_short_ends(random)); }, 0},
 };
 
 }  // namespace bounding_arcs_test

@@ -45,7 +45,7 @@ class Leaf_finder {
   [[nodiscard]] Ring_leaves leaves(std::uint32_t ring) {
     const std::vector<End> ends = ends_of(boundary_.rings()[ring]);
     const std::size_t n = ends.size();
-    constexpr double ROUNDING = 8, MOST = 64;  // times the resolution
+    constexpr double ROUNDING = 8;  // times the resolution
     Ring_leaves result;
     if (is_circle_within(ROUNDING, ends, result)) return result;
     std::size_t start = 0;  // of a group of ends with one value
@@ -53,14 +53,8 @@ class Leaf_finder {
     for (std::size_t i = start; start < n && i < start + n;) {
       std::size_t last = i;
       while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
-      const End &from = ends[i % n], &to = ends[last % n];
-      const End* best = &from;
-      for (std::size_t k = i; k <= last; ++k)
-        if (ends[k % n].error < best->error) best = &ends[k % n];
-      const bool is_maximum =
-          best->value > best->error && is_less(ends[(i + n - 1) % n], from) && is_less(ends[(last + 1) % n], to);
-      if (is_maximum) add(*best, from, to, result.leaves);
-      if (from.leaf) result.moved = tip_height();
+      if (ends[i % n].leaf) result.moved = tip_height();
+      add_maxima(ends, {i, last}, result.leaves);
       i = last + 1;
     }
     // arcs that have a center each, next to each other, and so no empty disc
@@ -81,6 +75,7 @@ class Leaf_finder {
                                   std::fabs(a.value - b.value) <=
                                       a.error + b.error + share * (std::max)(std::fabs(a.value), std::fabs(b.value)));
   }
+  static constexpr double MOST = 64;  // times the resolution: points are no farther off a circle
   // Rounded control points of a spline make joints differ by less, of the curvature.
   static constexpr double ALIKE = 0x1p-32;
   [[nodiscard]] static bool are_alike(const End& a, const End& b) { return are_within(a, b, ALIKE); }
@@ -110,6 +105,49 @@ class Leaf_finder {
   [[nodiscard]] bool is_dent(const End& e) const {
     const Boundary_element& element = boundary_.element(e.place.element);
     return element.is_corner && element.last - element.first < Boundary_element::ROUNDED_TURN;
+  }
+
+  // Ends with one value, from one on up to another: numbers modulo that of all ends.
+  struct Run {
+    std::size_t first, last;
+  };
+  void add_maxima(const std::vector<End>& ends, const Run& run, std::vector<Axis_leaf>& leaves) const {
+    const auto end = [&](std::size_t k) -> const End& { return ends[k % ends.size()]; };
+    const auto best_of = [&](const Run& of) -> const End& {
+      std::size_t best = of.first;
+      for (std::size_t k = of.first; k <= of.last; ++k)
+        if (end(k).error < end(best).error) best = k;
+      return end(best);
+    };
+    const auto is_maximum = [&](const Run& of) {
+      const End& best = best_of(of);
+      return best.value > best.error && is_less(end(of.first + ends.size() - 1), end(of.first)) &&
+             is_less(end(of.last + 1), end(of.last));
+    };
+    const auto add_run = [&](const Run& of) { add(best_of(of), end(of.first), end(of.last), leaves); };
+    if (!is_maximum(run)) return;
+    const std::vector<Run> parts = known_parts(ends, run);
+    const bool are_leaves = parts.size() > 1 && std::all_of(parts.begin(), parts.end(), is_maximum) &&
+                            !are_on_circle(best_of(run), end(run.first), end(run.last));
+    if (are_leaves) std::for_each(parts.begin(), parts.end(), add_run);
+    else add_run(run);
+  }
+  // A short element may have any curvature but for rounding. Arcs before it and behind it have a center each where the
+  // circle of all of them misses their points: the flats at the ends of a slot that is a little wider than its arcs.
+  [[nodiscard]] static std::vector<Run> known_parts(const std::vector<End>& ends, const Run& run) {
+    std::vector<Run> parts;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      const End& end = ends[k % ends.size()];
+      if (!(end.error < end.value)) continue;
+      if (parts.empty() || parts.back().last + 1 != k) parts.push_back({k, k});
+      parts.back().last = k;
+    }
+    return parts;
+  }
+  // Whether all points between two ends are on the circle that a leaf there has.
+  [[nodiscard]] bool are_on_circle(const End& best, const End& from, const End& to) const {
+    const Axis_leaf leaf = osculating(best, from, to);
+    return most_gap({leaf.center, leaf.radius}, points_between(from.place, to.place)) <= MOST * boundary_.resolution();
   }
 
   [[nodiscard]] static bool is_less(const End& a, const End& b) {
@@ -286,7 +324,7 @@ class Leaf_finder {
     return points;
   }
 
-  void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
+  void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) const {
     if (from.is_corner) {
       const Boundary_place behind{from.next, boundary_.element(from.next).first};
       leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, boundary_(from.place).point, 0});
