@@ -77,9 +77,10 @@ class Axis_boundary {
  public:
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
 
-  explicit Axis_boundary(const Segment_hierarchy& curves)
+  /// \param hidden how far curves may be beside what is seen of them, in sizes
+  Axis_boundary(const Segment_hierarchy& curves, double hidden)
       : curves_(curves), of_segment_(curves.number_of_segments()), size_(coordinate_size_of(curves)),
-        hidden_turns_(curves, size_, 2 * resolution()) {}
+        hidden_turns_(curves, size_, hidden * size_) {}
 
   [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
   /// A segment without turns that are hidden at its ends.
@@ -319,7 +320,8 @@ struct Directed_piece {
 
 class Axis_boundary_maker {
  public:
-  explicit Axis_boundary_maker(const Bounding_parts& parts) : curves_(parts.segments), boundary_(parts.segments) {
+  Axis_boundary_maker(const Bounding_parts& parts, double hidden)
+      : curves_(parts.segments), boundary_(parts.segments, hidden) {
     for (const Bounding_ring& ring : parts.rings) {
       std::vector<Directed_segment> way;
       for (const Directed_segment& s : ring.way)
@@ -399,8 +401,11 @@ class Axis_boundary_maker {
 };
 
 /// \param parts must outlive the boundary
-[[nodiscard]] inline Axis_boundary axis_boundary(const Bounding_parts& parts) {
-  return Axis_boundary_maker(parts).boundary();
+/// How far curves may be beside what is seen of them, in sizes: two roundings of coordinates.
+inline constexpr double HIDDEN_HEIGHT = 0x1p-45;
+
+[[nodiscard]] inline Axis_boundary axis_boundary(const Bounding_parts& parts, double hidden = HIDDEN_HEIGHT) {
+  return Axis_boundary_maker(parts, hidden).boundary();
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -161,8 +161,8 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   return axis.status == Medial_axis_2::Status::COMPLETE && axis.is_valid();
 }
 
-[[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked) {
-  const Axis_boundary boundary = axis_boundary(parts);
+[[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked, double hidden) {
+  const Axis_boundary boundary = axis_boundary(parts, hidden);
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
   const double eps = (std::max)(asked.eps, LEAST * boundary.size());
   const auto made = [&](bool is_joining) {
@@ -183,9 +183,11 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 
 /// The axis, with what it was made of.
 /// \param close how close walls are that meet
-[[nodiscard]] Medial_axis_2 bounded_axis(const Segment_hierarchy& curves, const Asked_axis& asked, double close) {
+/// \param hidden how far curves may be beside what is seen of them, in sizes
+[[nodiscard]] Medial_axis_2 bounded_axis(const Segment_hierarchy& curves, const Asked_axis& asked, double close,
+                                         double hidden) {
   const auto bounds = std::make_shared<const Bounding_parts>(bounding_parts(curves, asked.options, close));
-  Medial_axis_2 axis = axis_of(*bounds, asked);
+  Medial_axis_2 axis = axis_of(*bounds, asked, hidden);
   axis.moved += bounds->moved;
   if (bounds->undecided) {
     axis.status = Medial_axis_2::Status::UNRESOLVED;
@@ -199,8 +201,9 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 
 /// How curves are moved, in sizes.
 struct Move {
-  double by, close;       // the latter is how close walls are that meet
-  bool are_bent = false;  // inner control points have ways of their own
+  double by, close;               // the latter is how close walls are that meet
+  bool are_bent = false;          // inner control points have ways of their own
+  double hidden = HIDDEN_HEIGHT;  // how far curves may be beside what is seen of them
 };
 
 /// Each curve elsewhere, in a direction of its own.
@@ -229,18 +232,22 @@ struct Move {
 
 /// Where rounding left discs open, the axis is that of curves that are moved by less than is told of it: what met at
 /// one place by chance, or by symmetry, meets there no more. Small moves keep close walls joined, larger ones part
-/// them.
+/// them. Turns at ends of curves are hidden farther from these.
 [[nodiscard]] Medial_axis_2 resolved_axis(const Segment_hierarchy& curves, const Asked_axis& asked) {
-  constexpr Move MOVES[] = {
-      {0x1p-43, CLOSE_WALLS}, {0x1p-42, 0x1p-43}, {0x1p-42, CLOSE_WALLS}, {0x1p-42, CLOSE_WALLS, true}};
+  constexpr Move MOVES[] = {{0x1p-43, CLOSE_WALLS},
+                            {0x1p-42, 0x1p-43},
+                            {0x1p-42, CLOSE_WALLS},
+                            {0x1p-42, CLOSE_WALLS, true},
+                            {0x1p-44, CLOSE_WALLS, false, 0x1p-42},
+                            {0x1p-44, 0x1p-44, false, 0x1p-41}};
   constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), FEW = 4, MANY = 64, SEGMENTS = 1 << 14;  // of all tries
   const std::size_t tries =
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
   const double size = coordinate_size(curves.drawing());
-  Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size);
+  Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size, HIDDEN_HEIGHT);
   for (std::uint32_t seed = 0; seed < tries && !is_whole(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
-    Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), asked, move.close * size);
+    Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), asked, move.close * size, move.hidden);
     constexpr double MOST = 0x1p-40, OF_SQUARE = 1.5;  // half its diagonal, with what rounding adds
     moved.moved += OF_SQUARE * move.by * size;
     if (is_whole(moved) && moved.moved <= MOST * size) axis = std::move(moved);
