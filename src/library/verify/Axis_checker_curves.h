@@ -303,7 +303,11 @@ template <class Is_in>
   const Checked_point p = point_at(*longest, 0.5);
   const Xy<double> at{CGAL::to_double(p.point.x), CGAL::to_double(p.point.y)},
       tangent{CGAL::to_double(p.derivative.x), CGAL::to_double(p.derivative.y)};
-  const double step = 0x1p-30 * boxes.size() / stable_norm(tangent);
+  // far from the origin a drawing is less than a billionth of its coordinates
+  double extent = 0;
+  for (const Xy<double>& q : longest->control_points())
+    extent = (std::max)(extent, stable_norm(q - longest->control_points().front()));
+  const double step = (std::min)(0x1p-30 * boxes.size(), 0x1p-12 * extent) / stable_norm(tangent);
   const auto is_inside = [&](double s) { return is_in(boxes.winding_number(at + s * perp(tangent))); };
   return {is_inside(step), is_inside(-step)};
 }

@@ -92,11 +92,23 @@ class Axis_tiling {
       if (!feet.begins.empty()) of_.find(Axis_verification::Fault::TILING, "foot at " + text_of(feet.begins.front()));
     }
   }
-  // The boundary between the feet of a sector is an arc of its curve that is there in place of tiles.
+  // The boundary between the feet of a sector is an arc of a curve that is there in place of tiles.
   void check_sectors() {
     for (const Sector& s : sectors_)
-      if (!s.is_whole || s.begin.curve != s.end.curve || touched_arcs_[s.begin.curve] == 0)
+      if (!s.is_whole || !is_beside_touched_arc(s))
         of_.find(Axis_verification::Fault::TILING, "foot at " + text_of(s.begin));
+  }
+  // In a frame either foot may have the name of another wall, which goes on from the arc.
+  [[nodiscard]] bool is_beside_touched_arc(const Sector& s) const {
+    const auto names = [this](const Curve_place& foot) {
+      return of_.options.is_framed ? all_names(foot) : std::vector<Curve_place>{foot};
+    };
+    const std::vector<Curve_place> ends = names(s.end);
+    for (const Curve_place& p : names(s.begin)) {
+      const auto is_of_curve = [&](const Curve_place& q) { return q.curve == p.curve; };
+      if (touched_arcs_.count(p.curve) > 0 && std::any_of(ends.begin(), ends.end(), is_of_curve)) return true;
+    }
+    return false;
   }
   static std::string text_of(const Curve_place& p) {
     return "curve " + std::to_string(p.curve) + ", piece " + std::to_string(p.bezier) + ", t " + std::to_string(p.t);

@@ -74,8 +74,10 @@ int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const cha
 void expect_no_crossing(const Query_drawing& loaded, const char* command) {
   const auto common = ba::self_intersections(*loaded.curves);
   if (common.points.empty() && common.overlaps.empty()) return;
-  throw Input_error(loaded.file, command,
-                    "expected curves that do not cross, or a frame, found a crossing; --frame makes one");
+  throw Input_error(
+      loaded.file, command,
+      "expected curves that do not cross, or a frame, found a crossing; boolean union makes curves without "
+      "one that have the same axis");
 }
 
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {

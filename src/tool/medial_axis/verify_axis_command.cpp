@@ -92,11 +92,14 @@ CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
       "curve.\n"
       "Between two samples the axis is measured to be within the \"bound\" of its edge, or within eps. The frame "
       "has\n"
-      "to be the one that the axis was made with; its rule is written in it.\n"
+      "to be the one that the axis was made with; its rule is written in it. Without a frame curves must not cross:\n"
+      "boolean union makes such curves, and their axis is the same.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-4 --feet --prove -o axis.json\n"
       "  bounding_arcs verify-axis curve.json axis.json\n"
-      "  bounding_arcs verify-axis drawing.svg axis.json --frame --format json\n");
+      "  bounding_arcs verify-axis drawing.svg axis.json --frame --format json\n"
+      "  bounding_arcs boolean union crossing.svg -o curves.json\n"
+      "  bounding_arcs medial-axis curves.json --eps 1e-4 --feet | bounding_arcs verify-axis curves.json -\n");
   return command;
 }
 
