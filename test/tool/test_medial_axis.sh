@@ -100,8 +100,8 @@ rm picture.svg
 
 run medial-axis bow.json --eps 1e-3 --cells
 expect_status 1
-expect_line '*bow.json: medial-axis: expected curves that do not cross, or a frame, found a crossing; boolean union makes '\
-'curves without one that have the same axis'
+expect_line '*bow.json: medial-axis: expected curves that do not cross, or a frame, found a crossing; '\
+'boolean union makes curves without one that have the same axis'
 run medial-axis bow.json --eps 0.001953125
 expect_status 0
 expect_finite
