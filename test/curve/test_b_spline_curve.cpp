@@ -292,6 +292,10 @@ TEST(BSplineErrors, NameTheConditionAndTheIndex) {
   EXPECT_EQ(curve(2, 3, {0, 1, 2}), "knots: expected 6 (control points + degree + 1), found 3");
   EXPECT_EQ(curve(2, 3, {0, 1, 2, 3, 2.5, 4}), "knot 4: expected no less than knot 3, found 2.5");
   EXPECT_EQ(curve(1, 2, {0, NAN, 1, 2}), "knot 1: expected no less than knot 0, found nan");
+  EXPECT_EQ(curve(1, 2, {0, 0, HUGE_VAL, HUGE_VAL}),
+            "knots: expected a finite number from the first to the last one, found inf");
+  EXPECT_EQ(curve(1, 2, {-1e308, -1e308, 1e308, 1e308}),
+            "knots: expected a finite number from the first to the last one, found inf");
   EXPECT_EQ(curve(2, 3, {0, 1, 2, 2, 3, 4}), "knots: expected knot 2 below knot 3, found an empty domain");
   EXPECT_EQ(curve(1, 5, {0, 0, 1, 1, 2, 2, 2}),
             "knot 3: expected at most 1 equal ones, as the curve falls apart with more, found 2");

@@ -123,7 +123,9 @@ Sorted_places Meeting_places::sorted(std::vector<Place_number> places) {
       }
       (*order < 0 ? high : low) = *order < 0 ? middle : middle + 1;
     }
-    if (low == high) classes.insert(classes.begin() + static_cast<std::ptrdiff_t>(low), {p});
+    if (low < high) continue;
+    classes.emplace_back(1, p);
+    std::rotate(classes.begin() + static_cast<std::ptrdiff_t>(low), classes.end() - 1, classes.end());
   }
   return result;
 }

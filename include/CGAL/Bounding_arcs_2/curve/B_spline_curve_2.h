@@ -57,6 +57,9 @@ template <class NT> void check_knot_order(const std::vector<NT>& knots) {
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (!(knots[i - 1] <= knots[i]))
       throw_invalid(expected("knot " + text_of(i), "no less than knot " + text_of(i - 1), text_of(knots[i], "less")));
+  const NT span = knots.empty() ? NT(0) : NT(knots.back() - knots.front());
+  if (!(span - span == NT(0)))
+    throw_invalid(expected("knots", "a finite number from the first to the last one", text_of(span, "another one")));
 }
 
 // Runs of equal knots: those with low < knot < high may be as long as `inside`, others as long as `elsewhere`. Knot i
