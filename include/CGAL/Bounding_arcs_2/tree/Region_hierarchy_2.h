@@ -402,7 +402,7 @@ class Region_hierarchy_2 {
       made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
     }
     if (made.is_over_limit) nodes = empty;
-    nodes.template complete<ConcurrencyTag>();
+    nodes.complete();
   }
 
   Traits traits_;
