@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include "../arc/arc_crossings.h"
-#include "../query/Lens.h"
+#include "../query/Area_sum.h"
 #include "Arc_boxes.h"
 
 #include <algorithm>

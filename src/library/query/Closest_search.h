@@ -55,7 +55,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
   /// Looks at one segment.
   void look_at(std::uint32_t segment) {
-    const double lower = lower_bound_of(segment);
+    const double lower = distance_bounds(q_, curves_.region(segment)).lower;
     if (lower < upper_) refine(curves_.piece(segment), lower);
   }
   /// Looks at a piece of one.
@@ -89,9 +89,6 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   }
 
  private:
-  [[nodiscard]] double lower_bound_of(std::uint32_t segment) const {
-    return distance_bounds(q_, curves_.region(segment)).lower;
-  }
   // What is within `most` but is not looked at is at least this far.
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
 

@@ -22,15 +22,12 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
-/// What has been found so far, of all pairs of segments.
-struct Pair_results {
-  std::vector<Newton_box> roots;
-  std::vector<Numbered_point> open;  ///< between these parameters may be common points that doubles do not tell
-};
-
-/// Common points of two spiral segments in doubles, each proven, or the parameters where doubles leave it open.
+/// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
+/// counted once.
+///
+/// Doubles prove each common point of two spiral segments, or tell the parameters between which they leave it open.
 ///
 /// Pieces A and B are apart, or their tangents are nowhere parallel, or one is halved.
 ///
@@ -38,26 +35,98 @@ struct Pair_results {
 ///    both.  Newton's steps lead to a point, where a root is proven to be (Newton_box.h), or none on the pieces.
 ///  * A common end P is a common point.  With tangents nowhere parallel it is the only one.  It is, too, where A
 ///    backwards and then B run ahead in one direction u all the way, T.u > 0: such a path does not meet itself.
-///
-/// Whether two ends of pieces are one point for certain is told by the curves' owner: which parameter of which segment.
-/// \tparam SameEnd bool(Spiral_sample of a, Spiral_sample of b)
-/// \tparam Common void(Spiral_sample of a, Spiral_sample of b): takes a common end
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
-template <class Curves, class SameEnd, class Common> class Pair_search {
+template <class Curves = Segment_hierarchy> class Intersection_search {
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
   using Piece = Piece_in_hand<typename Curves::Region>;
 
  public:
-  Pair_search(const Curves& a, const Curves& b, const SameEnd& same_end, const Common& common, Pair_results& results)
-      : a_(a), b_(b), same_end_(same_end), common_(common), results_(results) {}
+  Intersection_search(const Curves& a, const Curves& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
+  explicit Intersection_search(const Curves& a) : Intersection_search(a, a) { is_self_ = true; }
 
-  void operator()(std::uint32_t segment_a, std::uint32_t segment_b) {
+  [[nodiscard]] Intersections_2<> all() {
+    find_all();
+    return internal::joined(found_, joints_a_, joints_b_, is_self_);
+  }
+  /// Returns them by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts
+  /// there.
+  [[nodiscard]] Numbered_intersections by_pieces() && {
+    find_all();
+    return std::move(found_);
+  }
+
+  [[nodiscard]] std::optional<bool> any() {
+    const auto is_certain = [this] {
+      if (!ends_.empty() || !found_.points.empty() || !found_.overlaps.empty()) return true;
+      for (const internal::Newton_box& root : roots_)
+        if (root.is_inside()) return true;
+      return false;
+    };
+    search([&] { return !is_certain(); });
+    if (is_certain()) return true;
+    Intersection_search whole(a_, b_);
+    const Intersections_2<> rest = undecided_.empty() && roots_.empty() ? Intersections_2<>{} : whole.all();
+    for (const Intersections_2<>::Intersection& p : rest.points)
+      if (p.kind != Intersection_kind::UNDECIDED) return true;
+    if (!rest.overlaps.empty()) return true;
+    return rest.points.empty() ? std::optional(false) : std::nullopt;
+  }
+
+ private:
+  void find_all() {
+    search([] { return true; });
+    leave_open_what_is_at_ends();
+    if (is_self_)
+      for (const std::uint32_t bezier : a_.hidden_tips()) open_.emplace_back(bezier, bezier);
+    std::sort(open_.begin(), open_.end());
+    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    keep_proven();
+    if (exact())
+      for (const Pair& pair : open_) add_exactly(pair);
+    else add_undecided();
+  }
+
+  [[nodiscard]] bool exact() const { return a_.decisions() == Decisions::EXACT && b_.decisions() == Decisions::EXACT; }
+
+  // \param go_on bool(), asked after each two segments
+  template <class GoOn> void search(const GoOn& go_on) {
+    const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+      if (is_self_ && j < i) std::swap(i, j);
+      if (is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
+        if (a_.piece(i).first.t == 0)
+          found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
+        return go_on();
+      }
+      if (add_of_lines(a_.bezier_of(i), b_.bezier_of(j))) return go_on();
+      if (const auto end = sole_common_end(a_.bezier_of(i), b_.bezier_of(j))) {
+        const Spiral_piece_2 of_a = a_.piece(i), of_b = b_.piece(j);
+        const Spiral_sample &p = end->first == 0 ? of_a.first : of_a.last,
+                            &q = end->second == 0 ? of_b.first : of_b.last;
+        if (p.t == end->first && q.t == end->second) add_common_end(i, p.t, j, q.t);
+        return go_on();
+      }
+      look_at(i, j);
+      return go_on();
+    };
+    if (is_self_) for_each_overlap(a_.boxes(), visit);
+    else for_each_overlap(a_.boxes(), b_.boxes(), visit);
+  }
+
+  // Common points of two segments, each proven, or the parameters where doubles leave it open.
+  void look_at(std::uint32_t segment_a, std::uint32_t segment_b) {
     error_ = a_.error(segment_a) + b_.error(segment_b);
     budget_ = MOST_PAIRS;
     const auto of_a = a_.region(segment_a), of_b = b_.region(segment_b);  // most are apart, and need no pieces
     if (!are_apart(of_a, of_b)) refine({directed(a_, segment_a), of_a}, {directed(b_, segment_b), of_b});
   }
+  // Takes a common end of pieces.
+  void add_common_end(std::uint32_t i, double t, std::uint32_t j, double s) {
+    if (!is_end(t) || !is_end(s)) return;  // a cut of one piece, or of two with the same numbers
+    const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
+    if (is_self_ && is_joint_of_neighbours(beziers, {t, t}, {s, s})) return;
+    ends_.push_back({beziers, {{t, t}, {s, s}}});
+  }
 
- private:
   static constexpr int MOST_PAIRS = 400;  // halvings that a tangency within 2^-40 takes, twice
 
   // A segment as long as a cut is wide does not tell its directions at its ends. All of them are near the one in its
@@ -68,7 +137,7 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     const std::uint32_t bezier = curves.bezier_of(segment);
     const Bezier_evaluator& curve = curves.evaluator(bezier);
     const double rounding = curves.rounding(bezier), span = piece.last.t - piece.first.t, t = piece.first.t + span / 2;
-    const Curve_jet jet = curve(t);
+    const internal::Curve_jet jet = curve(t);
     const double speed = euclidean_norm(jet.first), error = curve.errors_at(t, jet).first,
                  change = span * (curve.second_bound() + curve.second_change(rounding));
     constexpr double MOST = 0.25;  // a cone that is told apart from others
@@ -84,7 +153,7 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
   }
 
   void leave_open(const Piece& a, const Piece& b) {
-    results_.open.push_back(
+    undecided_.push_back(
         {{a_.bezier_of(a.piece.segment), b_.bezier_of(b.piece.segment)},
          {{a.piece.first.t, a.piece.last.t}, {b.piece.first.t, b.piece.last.t}, Intersection_kind::UNDECIDED}});
   }
@@ -139,9 +208,9 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     for (const bool at_a : {false, true})
       for (const bool at_b : {false, true}) {
         const Spiral_sample &p = at_a ? a.last : a.first, &q = at_b ? b.last : b.first;
-        if (!(p.point == q.point) || !same_end_(a.segment, p, b.segment, q)) continue;
+        if (!(p.point == q.point) || !is_same_end(a.segment, p.t, b.segment, q.t)) continue;
         if (!cones.are_transversal && !cones.run_apart(at_a ? -1 : 1, at_b ? -1 : 1)) return false;
-        common_(a.segment, p, b.segment, q);
+        add_common_end(a.segment, p.t, b.segment, q.t);
         return true;
       }
     return false;
@@ -151,22 +220,23 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
   [[nodiscard]] bool is_settled_by_newton(const Piece& a, const Piece& b) {
     const auto of = [](const Segment_hierarchy& curves, const Spiral_piece_2& p) {
       const std::uint32_t bezier = curves.bezier_of(p.segment);
-      return Newton_piece{
+      return internal::Newton_piece{
           curves.evaluator(bezier), curves.rounding(bezier), bezier, p.first.t, p.last.t, p.first.point, p.last.point};
     };
     const double t0 = a.piece.first.t, t1 = a.piece.last.t, s0 = b.piece.first.t, s1 = b.piece.last.t;
-    const std::optional<Newton_box> root = newton_box(of(a_, a.piece), of(b_, b.piece));
+    const std::optional<internal::Newton_box> root = internal::newton_box(of(a_, a.piece), of(b_, b.piece));
     if (!root) return false;
     if (has_common_end(*root, a.piece.segment, b.piece.segment)) return root->is_unique_on(t0, t1, s0, s1);
     if (root->is_on(t0, t1, s0, s1)) {
-      results_.roots.push_back(*root);
+      roots_.push_back(*root);
       return true;
     }
     return root->is_unique_on(t0, t1, s0, s1);
   }
 
   // Whether the only root in a box is a common end, which the pieces at that end tell.
-  [[nodiscard]] bool has_common_end(const Newton_box& root, std::uint32_t segment_a, std::uint32_t segment_b) const {
+  [[nodiscard]] bool has_common_end(const internal::Newton_box& root, std::uint32_t segment_a,
+                                    std::uint32_t segment_b) const {
     if (root.is_inside()) return false;
     const auto end_of = [](const Curves& curves, std::uint32_t segment, double t) {
       const auto& p = curves.bezier(curves.bezier_of(segment)).control_points();
@@ -178,109 +248,9 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     for (const double t : {0.0, 1.0})
       for (const double s : {0.0, 1.0}) {
         const Spiral_sample p = end_of(a_, segment_a, t), q = end_of(b_, segment_b, s);
-        if (root.is_on(t, t, s, s) && p.point == q.point && same_end_(segment_a, p, segment_b, q)) return true;
+        if (root.is_on(t, t, s, s) && p.point == q.point && is_same_end(segment_a, t, segment_b, s)) return true;
       }
     return false;
-  }
-
-  const Curves &a_, &b_;
-  const SameEnd& same_end_;
-  const Common& common_;
-  Pair_results& results_;
-  double error_ = 0;
-  int budget_ = 0;
-};
-
-}  // namespace CGAL::Bounding_arcs::internal
-
-namespace CGAL::Bounding_arcs {
-
-/// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
-/// counted once.
-/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
-template <class Curves = Segment_hierarchy> class Intersection_search {
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
-
- public:
-  Intersection_search(const Curves& a, const Curves& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
-  explicit Intersection_search(const Curves& a) : Intersection_search(a, a) { is_self_ = true; }
-
-  [[nodiscard]] Intersections_2<> all() {
-    find_all();
-    return internal::joined(found_, joints_a_, joints_b_, is_self_);
-  }
-  /// Returns them by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts
-  /// there.
-  [[nodiscard]] Numbered_intersections by_pieces() && {
-    find_all();
-    return std::move(found_);
-  }
-
-  [[nodiscard]] std::optional<bool> any() {
-    const auto is_certain = [this] {
-      if (!ends_.empty() || !found_.points.empty() || !found_.overlaps.empty()) return true;
-      for (const internal::Newton_box& root : results_.roots)
-        if (root.is_inside()) return true;
-      return false;
-    };
-    search([&] { return !is_certain(); });
-    if (is_certain()) return true;
-    Intersection_search whole(a_, b_);
-    const Intersections_2<> rest = results_.open.empty() && results_.roots.empty() ? Intersections_2<>{} : whole.all();
-    for (const Intersections_2<>::Intersection& p : rest.points)
-      if (p.kind != Intersection_kind::UNDECIDED) return true;
-    if (!rest.overlaps.empty()) return true;
-    return rest.points.empty() ? std::optional(false) : std::nullopt;
-  }
-
- private:
-  void find_all() {
-    search([] { return true; });
-    leave_open_what_is_at_ends();
-    if (is_self_)
-      for (const std::uint32_t bezier : a_.hidden_tips()) open_.emplace_back(bezier, bezier);
-    std::sort(open_.begin(), open_.end());
-    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
-    keep_proven();
-    if (exact())
-      for (const Pair& pair : open_) add_exactly(pair);
-    else add_undecided();
-  }
-
-  [[nodiscard]] bool exact() const { return a_.decisions() == Decisions::EXACT && b_.decisions() == Decisions::EXACT; }
-
-  // \param go_on bool(), asked after each two segments
-  template <class GoOn> void search(const GoOn& go_on) {
-    const auto same_end = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
-      return is_same_end(i, p.t, j, q.t);
-    };
-    const auto common = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
-      if (!is_end(p.t) || !is_end(q.t)) return;  // a cut of one piece, or of two with the same numbers
-      const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
-      if (is_self_ && is_joint_of_neighbours(beziers, {p.t, p.t}, {q.t, q.t})) return;
-      ends_.push_back({beziers, {{p.t, p.t}, {q.t, q.t}}});
-    };
-    internal::Pair_search pairs(a_, b_, same_end, common, results_);
-    const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-      if (is_self_ && j < i) std::swap(i, j);
-      if (is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
-        if (a_.piece(i).first.t == 0)
-          found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
-        return go_on();
-      }
-      if (add_of_lines(a_.bezier_of(i), b_.bezier_of(j))) return go_on();
-      if (const auto end = sole_common_end(a_.bezier_of(i), b_.bezier_of(j))) {
-        const Spiral_piece_2 of_a = a_.piece(i), of_b = b_.piece(j);
-        const Spiral_sample &p = end->first == 0 ? of_a.first : of_a.last,
-                            &q = end->second == 0 ? of_b.first : of_b.last;
-        if (p.t == end->first && q.t == end->second) common(i, p, j, q);
-        return go_on();
-      }
-      pairs(i, j);
-      return go_on();
-    };
-    if (is_self_) for_each_overlap(a_.boxes(), visit);
-    else for_each_overlap(a_.boxes(), b_.boxes(), visit);
   }
 
   [[nodiscard]] bool are_lines(const Pair& beziers) const {
@@ -353,11 +323,11 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // A root whose range reaches over an end of its piece may be on the next one, or none.
   void leave_open_what_is_at_ends() {
-    for (const Numbered_point& o : results_.open) {
+    for (const Numbered_point& o : undecided_) {
       if (!open_.empty() && open_.back() == o.beziers) continue;
       if (!does_run_ahead(o)) open_.push_back(o.beziers);
     }
-    for (const internal::Newton_box& root : results_.roots)
+    for (const internal::Newton_box& root : roots_)
       if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
   }
   // Filter: of one piece, from the one part to the other one.
@@ -372,7 +342,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Roots of pairs that are not open, each once, and common ends.
   void keep_proven() {
-    std::vector<internal::Newton_box>& roots = results_.roots;
+    std::vector<internal::Newton_box>& roots = roots_;
     const auto before = [](const internal::Newton_box& x, const internal::Newton_box& y) {
       if (x.bezier_a != y.bezier_a) return x.bezier_a < y.bezier_a;
       return x.bezier_b != y.bezier_b ? x.bezier_b < y.bezier_b : x.a.lower < y.a.lower;
@@ -424,8 +394,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Ranges that touch are one.
   void add_undecided() {
-    std::vector<Numbered_point> open = results_.open;
-    for (const internal::Newton_box& root : results_.roots)
+    std::vector<Numbered_point> open = undecided_;
+    for (const internal::Newton_box& root : roots_)
       if (!root.is_inside())
         open.push_back(
             {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
@@ -438,7 +408,10 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   const Curves &a_, &b_;
   Curve_joints joints_a_, joints_b_;
   bool is_self_ = false;
-  internal::Pair_results results_;
+  std::vector<internal::Newton_box> roots_;
+  std::vector<Numbered_point> undecided_;  // between these parameters may be common points that doubles do not tell
+  double error_ = 0;                       // of the two segments that are looked at
+  int budget_ = 0;
   std::vector<Numbered_point> ends_;  // that are common
   std::vector<Pair> open_;            // sorted, once it is complete
   Numbered_intersections found_;

@@ -5,7 +5,6 @@
 // Bodies of query/measures.h.
 
 #include "Area_sum.h"
-#include "Lens.h"
 #include "query_units.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
@@ -34,7 +33,8 @@
 #include <vector>
 
 // The length of a drawing between two bounds: each piece of a spiral segment is integrated (Speed_integral), and is
-// between its chord and arcs that touch it (Lens.h), which tells more next to cusps and of pieces that are short.
+// between its chord and arcs that touch it (length_between_arcs), which tells more next to cusps and of pieces that are
+// short.
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -192,6 +192,80 @@ class Speed_integral {
   boost::container::small_vector<double, 4> weights_, numerator_, denominator_;  // the latter from order 1 on
 };
 
+// Length of a piece of a spiral: it lies between those of the arcs that touch it in its ends, as the three are convex
+// curves one inside the other. Over a chord of length L an arc with bulge b is  L (1 + b^2) atan(b) / b  long, which
+// grows with |b|.
+
+[[nodiscard]] static double length_share(double b) {
+  constexpr double FLAT = 0x1p-30;  // below, atan b is b, and b^2 nothing beside 1
+  return std::fabs(b) < FLAT ? 1 : (1 + b * b) * (std::atan(b) / b);
+}
+
+/// Bounds of the length of a piece whose points may be off by e, by its chord and these arcs. As in fat_arc a bulge
+/// errs by 1.1 times what the angles do; the chord by 2 e, and as much is for slivers beside the ends.
+[[nodiscard]] static Bracket length_between_arcs(const Spiral_piece_2& piece, double e) {
+  constexpr double DOWN = ROUNDED_DOWN<16>, UP = ROUNDED_UP<16>;
+  const End_bulges bulges(piece, e);
+  const Xy<double> way = piece.last.point - piece.first.point;
+  const double chord = bulges.length, box = std::fabs(way.x) + std::fabs(way.y);
+  if (!bulges.are_known()) return {(std::max)(0.0, chord * DOWN - 4 * e), box * UP + 4 * e};
+  const double room = 1.1 * bulges.angle_error,
+               low = std::clamp((std::min)(bulges.first, bulges.last) - room, -1.0, 1.0),
+               high = std::clamp((std::max)(bulges.first, bulges.last) + room, -1.0, 1.0);
+  const double b0 = std::fabs(low), b1 = std::fabs(high);
+  const double least = low < 0 && high > 0 ? 0 : (std::min)(b0, b1), most = (std::max)(b0, b1);
+  return {(std::max)(0.0, chord * length_share(least) * DOWN - 4 * e),
+          (std::min)(chord * length_share(most), box) * UP + 4 * e};
+}
+
+/// What a piece leaves open of a sum.
+struct Open_part {
+  double width = 0;
+  bool is_final = true;  ///< halving does not help
+};
+
+/// Returns pieces of a drawing fine enough for a sum over them: the one that leaves most open is halved, until all
+/// together leave open no more than a tolerance, or halving does not help, or there are as many as a limit allows.
+/// \param open gives the Open_part of a piece
+/// \param limit of halvings; where it is reached the rest stays as it is
+/// \return the pieces in any order
+template <class Open>
+[[nodiscard]] static std::vector<Spiral_piece_2> refine_sum(const Segment_hierarchy& curves,
+                                                            const std::vector<Spiral_piece_2>& pieces, double tolerance,
+                                                            const Open& open, Work_limit& limit) {
+  struct Entry {
+    Open_part open;
+    Spiral_piece_2 piece;
+  };
+  const auto is_less = [](const Entry& a, const Entry& b) { return a.open.width < b.open.width; };
+  std::vector<Spiral_piece_2> done;
+  std::vector<Entry> heap;
+  double sum = 0;
+  heap.reserve(pieces.size());
+  for (const Spiral_piece_2& p : pieces) heap.push_back({open(p), p});
+  for (const Entry& e : heap) sum += e.open.width;
+  std::make_heap(heap.begin(), heap.end(), is_less);
+  while (!heap.empty() && !(sum <= tolerance)) {
+    if (!heap.front().open.is_final && !limit.spend()) break;
+    std::pop_heap(heap.begin(), heap.end(), is_less);
+    const Entry widest = heap.back();
+    heap.pop_back();
+    const auto middle = widest.open.is_final ? std::optional<Spiral_halves_2>() : halves(curves, widest.piece);
+    if (!middle) {
+      done.push_back(widest.piece);
+      continue;
+    }
+    const Entry parts[2] = {{open(middle->first), middle->first}, {open(middle->second), middle->second}};
+    sum += (parts[0].open.width + parts[1].open.width) - widest.open.width;
+    for (const Entry& e : parts) {
+      heap.push_back(e);
+      std::push_heap(heap.begin(), heap.end(), is_less);
+    }
+  }
+  for (const Entry& e : heap) done.push_back(e.piece);
+  return done;
+}
+
 class Length_sum {
  public:
   Length_sum(const Segment_hierarchy& curves, double tolerance)
@@ -223,7 +297,7 @@ class Length_sum {
   }
   [[nodiscard]] Bracket length_of(const Spiral_piece_2& p) const {
     // between exact parameters, cuts' errors are of no matter
-    const Bracket of_arcs = Lens(p, curves_.error(p.segment)).length();
+    const Bracket of_arcs = length_between_arcs(p, curves_.error(p.segment));
     Bracket r{(std::max)(of_arcs.lower, euclidean_norm(p.last.point - p.first.point) * DOWN - 2 * point_error(p)),
               (std::min)(of_arcs.upper, speed_of(p).most(p.first.t, p.last.t))};
     if (const auto integral = speed_of(p).over(p.first.t, p.last.t))

@@ -155,10 +155,10 @@ CGAL::Bbox_2 Bounding_arc_tree_2::box() const {
 
 namespace internal {
 
-bool Tree_cuts::are_rounded() const { return tree_.in_unit().is_rounded(); }
-bool Tree_cuts::are_in_own_lengths() const { return &tree_.drawing() == &tree_.in_unit().drawing(); }
-Spiral_parameters Tree_cuts::operator()(std::size_t curve, std::size_t bezier) const {
-  const Segment_hierarchy& segments = tree_.in_unit();
+bool are_cuts_rounded(const Bounding_arc_tree_2& tree) { return tree.in_unit().is_rounded(); }
+bool are_cuts_in_own_lengths(const Bounding_arc_tree_2& tree) { return &tree.drawing() == &tree.in_unit().drawing(); }
+Spiral_parameters cuts_of(const Bounding_arc_tree_2& tree, std::size_t curve, std::size_t bezier) {
+  const Segment_hierarchy& segments = tree.in_unit();
   return segments.cuts(segments.number_of_bezier(curve, bezier));
 }
 

@@ -9,7 +9,6 @@
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include "../curve/exact_bezier.h"
 
 #include <algorithm>

@@ -18,12 +18,12 @@
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
+#include <CGAL/Bounding_arcs_2/region/box_between.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include "Box_tree.h"
 #include "Spiral_piece_2.h"
 
@@ -174,7 +174,7 @@ class Segment_hierarchy {
   [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const { return box(piece, error(piece.segment)); }
   /// A box of a piece whose ends are off the curve by up to e.
   [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_piece_2& piece, double e) {
-    return box(piece.first, piece.last, e);
+    return internal::box_between(piece.first.point, piece.last.point, e);
   }
   [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
     const Segment_place at = place(segment);
@@ -220,18 +220,13 @@ class Segment_hierarchy {
   [[nodiscard]] static Region fat_of(const Segment& s) { return fat_arc({0, s.first, s.last}, s.error); }
   [[nodiscard]] CGAL::Bbox_2 box_at(std::size_t segment) const {
     const Segment& s = at(static_cast<std::uint32_t>(segment));
-    return box(s.first, s.last, s.error);
+    return internal::box_between(s.first.point, s.last.point, s.error);
   }
   void add_segments(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::uint32_t bezier,
                     const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   void add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place);
-  [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_sample& first, const Spiral_sample& last, double e) {
-    const Xy<double>&p = first.point, &q = last.point;
-    const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
-    return {x.lower, y.lower, x.upper, y.upper};
-  }
   [[nodiscard]] std::vector<Segment>::const_iterator first_segment(std::uint32_t bezier) const;
   static void straighten(Segment& s);
   void move(Segment& s, const Bezier_curve_2<double>& curve);

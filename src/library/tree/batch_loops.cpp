@@ -9,8 +9,8 @@
 #include "batch/Bca_batch.h"
 #include "batch/Bilens_batch.h"
 #include "batch/Spiral_fat_arc_batch.h"
-#include "batch/few_arcs.h"
-#include "batch/top_levels.h"
+#include "batch/arc_batch.h"
+#include "batch/bound_batch.h"
 
 #include "../spiral/Local_curve.h"
 #include "batch/Batch_questions.h"

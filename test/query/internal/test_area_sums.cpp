@@ -9,7 +9,6 @@
 #include "closed_drawings.h"
 
 #include "../../../src/library/query/Area_sum.h"
-#include "../../../src/library/query/Lens.h"
 
 #include <gtest/gtest.h>
 

@@ -67,7 +67,7 @@ class Checked_nodes {
   }
   template <class ConcurrencyTag = CGAL::Sequential_tag> void expect_kept() {
     ASSERT_EQ(nodes_.size(), split_.size());
-    nodes_.complete<ConcurrencyTag>();
+    nodes_.complete();
     std::size_t splits = 0;
     for (std::size_t i = 0; i < split_.size(); ++i) {
       ASSERT_EQ(nodes_.is_split(i), split_[i]) << "node " << i << " of " << split_.size();

@@ -9,8 +9,8 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <cstddef>
@@ -18,6 +18,16 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+[[nodiscard]] std::optional<Closest_point<>> closest_point(const Bounding_arc_tree_2& tree, const Asked_point& q);
+[[nodiscard]] std::optional<Closest_point<>> closest_point(const Bounding_arc_tree_2& tree, const Asked_point& q,
+                                                           const Curve_place& near);
+[[nodiscard]] std::vector<Closest_point<>> closest_points(const Bounding_arc_tree_2& tree, const Asked_point& q,
+                                                          double eps);
+[[nodiscard]] std::vector<Closest_point<>> k_nearest_curves(const Bounding_arc_tree_2& tree, const Asked_point& q,
+                                                            std::size_t k);
+}  // namespace internal
 
 /// Returns the point of the tree's curves that is nearest to q, one of them where there are several.
 /// \tparam Point of any kernel

@@ -8,9 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>
 #include <optional>
@@ -97,6 +97,12 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
     return out << answer.diameter << ' ' << answer.first_point << ' ' << answer.second_point;
   }
 };
+
+namespace internal {
+[[nodiscard]] Convex_hull<> convex_hull(const Bounding_arc_tree_2& tree, double eps);
+[[nodiscard]] std::optional<Width_of_drawing<>> width(const Bounding_arc_tree_2& tree, double eps);
+[[nodiscard]] std::optional<Diameter_of_drawing<>> diameter(const Bounding_arc_tree_2& tree, double eps);
+}  // namespace internal
 
 /// Returns the convex hull of all curves.
 /// \param eps what rises less above a chord may be left out, no less than some ulp

@@ -8,12 +8,22 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+[[nodiscard]] std::optional<Drawing_distance<>> distance(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b);
+[[nodiscard]] std::optional<Drawing_distance<>> distance(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                                         double eps);
+[[nodiscard]] std::optional<Drawing_distance<>> directed_hausdorff_distance(const Bounding_arc_tree_2& a,
+                                                                            const Bounding_arc_tree_2& b, double eps);
+[[nodiscard]] std::optional<Drawing_distance<>> hausdorff_distance(const Bounding_arc_tree_2& a,
+                                                                   const Bounding_arc_tree_2& b, double eps);
+}  // namespace internal
 
 /// Returns the least distance of the curves of two trees, with a point of each, one pair of them where there are
 /// several.

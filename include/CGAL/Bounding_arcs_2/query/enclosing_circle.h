@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
-#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
 #include <ostream>
@@ -33,6 +33,10 @@ template <class Point = Xy<double>> struct Enclosing_circle {
     return out << answer.center << ' ' << answer.radius;
   }
 };
+
+namespace internal {
+[[nodiscard]] std::optional<Enclosing_circle<>> smallest_enclosing_circle(const Bounding_arc_tree_2& tree, double eps);
+}  // namespace internal
 
 /// Returns the smallest circle that all curves are inside of.
 /// \param eps how far the bounds may be apart, no less than some ulp

@@ -9,12 +9,17 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+[[nodiscard]] Intersections_2<> intersections(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b);
+[[nodiscard]] Intersections_2<> self_intersections(const Bounding_arc_tree_2& a);
+}  // namespace internal
 
 /// Returns all common points of the curves of two trees.
 /// \guarantee complete and certified: each range holds the parameter of one common point, and there are no others;

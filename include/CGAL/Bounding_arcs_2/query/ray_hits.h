@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/queries_in_doubles.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <ostream>
 #include <vector>
@@ -36,6 +36,11 @@ template <class Point = Xy<double>> struct Ray_hit {
     return out << answer.place << ' ' << answer.point << ' ' << answer.distance;
   }
 };
+
+namespace internal {
+[[nodiscard]] std::vector<Ray_hit<>> ray_hits(const Bounding_arc_tree_2& tree, const Asked_point& q,
+                                              const Asked_point& direction);
+}  // namespace internal
 
 /// Returns all points in which a ray meets the curves of a drawing, the nearest first.
 /// The ray is closed: a point of a curve that it starts in is met at distance 0. Points that it touches a curve in are

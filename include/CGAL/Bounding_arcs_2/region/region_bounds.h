@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/region/box_between.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/assertions.h>
@@ -67,18 +68,7 @@ namespace internal {
 
 /// A box that holds the exact curve: spirals are monotone in x and y.
 [[nodiscard]] inline CGAL::Bbox_2 box(const Arc_region_2& region) {
-  const auto range = [&](double p, double q, double& low, double& high) {
-    low = (std::min)(p, q);
-    high = (std::max)(p, q);
-    // the differences below are rounded by half an ulp of numbers no larger than these
-    const double margin = region.widening + 2 * HALF_ULP * ((std::max)(-low, high) + region.widening);
-    low -= margin;
-    high += margin;
-  };
-  double x0, x1, y0, y1;
-  range(region.from.x, region.to.x, x0, x1);
-  range(region.from.y, region.to.y, y0, y1);
-  return {x0, y0, x1, y1};
+  return internal::box_between(region.from, region.to, region.widening);
 }
 
 /// Signed distance from a point to a side: that of its nearer arc.

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/box_between.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/Piece_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_boxes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
@@ -324,6 +324,9 @@ class Region_hierarchy_2 {
  private:
   using Boxes_later = internal::Made_once<internal::Segment_boxes>;
 
+  [[nodiscard]] static CGAL::Bbox_2 box_of_piece(const Spiral& s, double t0, double t1) {
+    return internal::box_between(s.point(t0), s.point(t1), s.point_error());
+  }
   // The boxes over segments.
   [[nodiscard]] const internal::Segment_boxes& boxes() const {
     return (*boxes_)([this] {
@@ -402,7 +405,7 @@ class Region_hierarchy_2 {
       made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
     }
     if (made.is_over_limit) nodes = empty;
-    nodes.template complete<ConcurrencyTag>();
+    nodes.complete();
   }
 
   Traits traits_;

@@ -11,8 +11,6 @@
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
-#include <CGAL/tags.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -80,22 +78,13 @@ class Region_nodes {
     return begins;
   }
   /// Completes the nodes; to be called when all are there.
-  template <class ConcurrencyTag = CGAL::Sequential_tag> void complete() {
+  void complete() {
     rank_.assign(split_.size() / RANKED + 1, 0);
-    std::vector<std::size_t> sums(rank_.size() / RANGE_SIZE + 1, 0);
-    for_each_range<ConcurrencyTag>(rank_.size(), [&](std::size_t begin, std::size_t end) {
-      std::size_t splits = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        rank_[i] = splits;
-        for (std::size_t j = RANKED * i; j < (std::min)(RANKED * (i + 1), split_.size()); ++j)
-          splits += internal::count_ones(split_[j]);
-      }
-      sums[begin / RANGE_SIZE] = splits;
-    });
-    std::size_t before = 0;
+    std::size_t splits = 0;
     for (std::size_t i = 0; i < rank_.size(); ++i) {
-      rank_[i] += before;
-      if (i % RANGE_SIZE == RANGE_SIZE - 1) before += sums[i / RANGE_SIZE];
+      rank_[i] = splits;
+      for (std::size_t j = RANKED * i; j < (std::min)(RANKED * (i + 1), split_.size()); ++j)
+        splits += internal::count_ones(split_[j]);
     }
   }
 

@@ -21,19 +21,11 @@ namespace CGAL::Bounding_arcs {
 
 namespace internal {
 
-/// Where the curves of a tree have their spiral segments, for those over another number type.
-class Tree_cuts {
- public:
-  explicit Tree_cuts(const Bounding_arc_tree_2& tree) : tree_(tree) {}
-
-  /// Whether a tree's segments are those of curves that doubles do not hold, and of them in its own lengths.
-  [[nodiscard]] bool are_rounded() const;
-  [[nodiscard]] bool are_in_own_lengths() const;
-  [[nodiscard]] Spiral_parameters operator()(std::size_t curve, std::size_t bezier) const;
-
- private:
-  const Bounding_arc_tree_2& tree_;
-};
+/// Whether a tree's segments are those of curves that doubles do not hold, and of them in its own lengths.
+[[nodiscard]] bool are_cuts_rounded(const Bounding_arc_tree_2& tree);
+[[nodiscard]] bool are_cuts_in_own_lengths(const Bounding_arc_tree_2& tree);
+/// Where a Bezier piece of a tree is cut into spiral segments.
+[[nodiscard]] Spiral_parameters cuts_of(const Bounding_arc_tree_2& tree, std::size_t curve, std::size_t bezier);
 
 }  // namespace internal
 
@@ -43,11 +35,12 @@ template <class NT = double>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
     const Bounding_arc_tree_2& tree, std::size_t first = 0,
     std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
-  const internal::Tree_cuts cuts(tree);
+  const auto cuts = [&](std::size_t curve, std::size_t bezier) { return internal::cuts_of(tree, curve, bezier); };
+  const bool are_rounded = internal::are_cuts_rounded(tree);
   if constexpr (!std::is_floating_point_v<NT>)
-    if (cuts.are_rounded()) return spiral_segments(converted<NT>(tree.exact_drawing()), first, last);
+    if (are_rounded) return spiral_segments(converted<NT>(tree.exact_drawing()), first, last);
   // numbers that scaling has rounded are cut elsewhere
-  if (cuts.are_rounded() && !cuts.are_in_own_lengths())
+  if (are_rounded && !internal::are_cuts_in_own_lengths(tree))
     return spiral_segments(converted<NT>(tree.drawing()), first, last);
   if constexpr (std::is_same_v<NT, double>) return internal::spirals_between(tree.drawing(), first, last, cuts);
   else return internal::spirals_between(converted<NT>(tree.drawing()), first, last, cuts);

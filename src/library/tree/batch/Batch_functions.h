@@ -74,6 +74,26 @@ struct Batch_functions {
   Top_function (*top)(int kind) = nullptr;    ///< for the first levels of eight segments
 };
 
+/// The loops that make arcs of a construction.
+struct Arc_functions {
+  /// \pre set is not NONE
+  template <class Arcs> [[nodiscard]] static Arc_functions of(Instruction_set set) {
+    return {function_for(set, [](auto isa) { return &arc_function<decltype(isa), Arcs>; }),
+            &few_function<Arcs>,
+            function_for(set, [](auto isa) { return &lanes_function<decltype(isa), Arcs>; }),
+            &arc_room<Arcs>,
+            HAS_JOINTS<Arcs>,
+            FORM<Arcs>};
+  }
+
+  Arc_function (*many)(int kind);  ///< in groups of eight pieces
+  Arc_function (*few)(int kind);   ///< piece by piece, which is quicker for one or two
+  Lanes_function (*lanes)(int kind);
+  Arc_room (*room)(const Local_curve&, const Point_sizes&);
+  bool has_joints;
+  Region_form form;
+};
+
 }  // namespace CGAL::Bounding_arcs::filter
 
 #endif

@@ -251,13 +251,6 @@ struct Point_sizes {
 struct Arc_room {
   double widening, room, coarse_widening, coarse_room;
 };
-/// \param at_middle C(curve.middle), each coordinate within half an ulp and less
-[[nodiscard]] inline Arc_points arc_points(const Local_curve& curve, const Xy<double>& at_middle, double widening,
-                                           double room) {
-  const double unit = curve.form.unit;
-  return {at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, widening, room};
-}
-
 /// Where the numbers of one side of consecutive pieces go, one place a piece; joints and second bulges only of methods
 /// that have them.
 struct Side_places {

@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_BCA_BATCH_H
 #define BOUNDING_ARCS_LIBRARY_TREE_BATCH_BCA_BATCH_H
 
-#include "Rough_figures.h"
+#include "Batch_bounds.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include "../../spiral/Local_figures.h"
@@ -32,7 +32,8 @@ struct Bca_batch {
   /// half of |M|^2, and z, which enters with 3/4. A cross errs by rho of the dot beside it at most, and each dot by rho
   /// of itself, so t_i errs by 2 rho and z by 4 rho |t|, where t is the larger of t0, t1.
   [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket narrow(const Local_form<double>& c,
-                                                                const Local_piece<double>& g) {
+                                                                const Local_piece<double>& g,
+                                                                const Local_ends<double>& /*not read*/) {
     const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const double product = dot0 * dot1, inverse = g.square / product,
                  z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
@@ -106,8 +107,8 @@ struct Bca_batch {
   /// both its parts alike: what is left is that error times the difference of the cosines, below rho. Other figures add
   /// 2 rho in each length, hence in each d_i, 1/2 of |M|, and 3 of lengths and dots in the quotient, which is at most
   /// as large as the 1 beside it. Bounds of N as above.
-  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket wide(const Local_form<double>& c,
-                                                              const Local_piece<double>& g) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket wide(const Local_form<double>& c, const Local_piece<double>& g,
+                                                              const Local_ends<double>& /*not read*/) {
     const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
     const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);

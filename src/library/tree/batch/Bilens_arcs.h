@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The biarcs of bilens in plain double, for batches.  Over the unit chord (Joint_arcs.h), with m half the sum of the
+// The biarcs of bilens in plain double, for batches.  Over the unit chord (Half_tangents.h), with m half the sum of the
 // end angles and delta half their difference, all biarcs with these end directions have their joints on one circle,
 //   z = 1 / (1 + rho e^(i m)),                                   rho > 0,
 // where rho = r_b on the outer side and 1 / r_a on the inner one, r_a = sin delta / a, r_b = sin delta / b: this is
@@ -33,7 +33,6 @@
 
 #include "Bca_arcs.h"
 #include "Half_tangents.h"
-#include "Joint_arcs.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 

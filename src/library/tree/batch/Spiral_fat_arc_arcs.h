@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sides of spiral fat arcs in plain double, for batches.  Over the unit chord (Joint_arcs.h), with sigma^2 = a / K0
-// the square of the tangent from the flat end to the tight end's circle, so that sin alpha0 / K0 = 1 - sigma^2, the
+// The sides of spiral fat arcs in plain double, for batches.  Over the unit chord (Half_tangents.h), with sigma^2 = a /
+// K0 the square of the tangent from the flat end to the tight end's circle, so that sin alpha0 / K0 = 1 - sigma^2, the
 // inner side's joint, at which its arc has turned by twice the angle of sigma + e^(i alpha0), is
 //   j = (1 - sigma^2) / (1 + sigma e^(i alpha0)).
 // The outer side's is i = reach e^(-i alpha0), and its arc turns by twice the angle from 1 - i to e^(i alpha1).  In
@@ -36,7 +36,6 @@
 
 #include "Bca_arcs.h"
 #include "Half_tangents.h"
-#include "Joint_arcs.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 

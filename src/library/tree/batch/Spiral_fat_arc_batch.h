@@ -16,8 +16,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_TREE_BATCH_SPIRAL_FAT_ARC_BATCH_H
 #define BOUNDING_ARCS_LIBRARY_TREE_BATCH_SPIRAL_FAT_ARC_BATCH_H
 
+#include "Batch_bounds.h"
 #include "Narrow_angles.h"
-#include "Rough_figures.h"
 #include "Tight_batch.h"
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>

@@ -56,7 +56,7 @@ class Equalized_leaves {
   template <class ConcurrencyTag> void append_all(const std::vector<Equalized_leaves>& others) {
     for (const Equalized_leaves& other : others) append(other, 0, other.bounds_.size());
   }
-  template <class ConcurrencyTag> void complete() {}
+  void complete() {}
 
   [[nodiscard]] Node_handle root(std::uint32_t spiral) const {
     return handle(0, spiral, first_[spiral], first_[spiral + 1] - first_[spiral] - 1);

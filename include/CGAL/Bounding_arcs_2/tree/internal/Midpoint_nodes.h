@@ -10,10 +10,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
-#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
-
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -83,7 +80,7 @@ class Midpoint_nodes {
     for (const Midpoint_nodes& other : others) append_segments(other, 0, other.bounds_.size());
   }
   /// Completes the nodes; to be called when all are there.
-  template <class ConcurrencyTag> void complete() { nodes_.template complete<ConcurrencyTag>(); }
+  void complete() { nodes_.complete(); }
 
   [[nodiscard]] Node_handle root(std::uint32_t spiral) const {
     return {true, !nodes_.is_split(roots_[spiral]), 0, spiral, roots_[spiral], 0};

@@ -56,28 +56,15 @@ template <class Piece, class Bound>
 
 /// The traits' Bound_thickness_2 over floating numbers; for exact ones the filtered kernel's, which decides the same
 /// and bounds thickness in doubles.
-template <class Traits> class Measure_bound {
-  struct In_double {
-    typename Traits::Construction construction;
-    template <class Source> [[nodiscard]] Thickness_bound operator()(const Source& source, double eps) const {
+template <class Traits> [[nodiscard]] auto measure_bound(const Traits& traits) {
+  if constexpr (std::is_floating_point_v<typename Traits::FT>) {
+    return traits.bound_thickness_2_object();
+  } else {
+    return [construction = traits.construction()](const auto& source, double eps) {
       return bound_thickness<double, true>(construction, source, eps);
-    }
-  };
-  static constexpr bool IS_FLOATING = std::is_floating_point_v<typename Traits::FT>;
-  [[nodiscard]] static auto bound_of(const Traits& traits) {
-    if constexpr (IS_FLOATING) return traits.bound_thickness_2_object();
-    else return In_double{traits.construction()};
+    };
   }
-
- public:
-  explicit Measure_bound(const Traits& traits) : bound_(bound_of(traits)) {}
-  template <class Source> [[nodiscard]] Thickness_bound operator()(const Source& source, double eps) const {
-    return bound_(source, eps);
-  }
-
- private:
-  decltype(bound_of(std::declval<const Traits&>())) bound_;
-};
+}
 
 /// Decides pieces in batches where construction, number type and segment have them, else piece by piece: nodes and
 /// breaks are the same.
@@ -93,7 +80,7 @@ template <class Traits, class Spiral> class Piece_decider {
  public:
   /// \param set NONE decides each piece by itself
   Piece_decider(const Traits& traits, Instruction_set set)
-      : bound_(traits.bound_thickness_2_object()), measure_bound_(traits), filter_(METHOD, set) {}
+      : bound_(traits.bound_thickness_2_object()), measure_bound_(measure_bound(traits)), filter_(METHOD, set) {}
 
   /// Tells which segments subdivide is called for next: what is to be decided of them together.
   void look_ahead([[maybe_unused]] const Spiral* first, [[maybe_unused]] std::size_t count, [[maybe_unused]] double eps,
@@ -149,7 +136,7 @@ template <class Traits, class Spiral> class Piece_decider {
   }
 
   decltype(std::declval<const Traits&>().bound_thickness_2_object()) bound_;
-  Measure_bound<Traits> measure_bound_;
+  decltype(measure_bound(std::declval<const Traits&>())) measure_bound_;
   filter::Piece_filter filter_;
 };
 

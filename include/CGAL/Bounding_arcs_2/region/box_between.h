@@ -2,12 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The box of a piece of a spiral segment: as it is monotone in x and y, the box of its two end points.
+// A box that holds a piece of a curve which is monotone in x and y: that of its two end points, and of their errors.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BOX_OF_PIECE_H
-#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BOX_OF_PIECE_H
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_BOX_BETWEEN_H
+#define CGAL_BOUNDING_ARCS_2_REGION_BOX_BETWEEN_H
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <CGAL/Bbox_2.h>
@@ -17,7 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 /// Holds all numbers within `error` of those between x and y.
 template <class NT> [[nodiscard]] Bracket widened_range(const NT& x, const NT& y, double error) {
@@ -36,14 +37,12 @@ template <class NT> [[nodiscard]] Bracket widened_range(const NT& x, const NT& y
   return {low - margin, high + margin};
 }
 
-/// \guarantee holds the exact piece
-template <class Spiral> [[nodiscard]] CGAL::Bbox_2 box_of_piece(const Spiral& s, double t0, double t1) {
-  const auto p = s.point(t0), q = s.point(t1);
-  const double error = s.point_error();
-  const auto x = widened_range(p.x, q.x, error), y = widened_range(p.y, q.y, error);
+/// Holds what is monotone between two points, each within `error` of its own.
+template <class NT> [[nodiscard]] CGAL::Bbox_2 box_between(const Xy<NT>& p, const Xy<NT>& q, double error) {
+  const Bracket x = widened_range(p.x, q.x, error), y = widened_range(p.y, q.y, error);
   return CGAL::Bbox_2(x.lower, y.lower, x.upper, y.upper);
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif
