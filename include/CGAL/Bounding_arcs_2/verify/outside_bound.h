@@ -68,20 +68,13 @@ struct Proven_piece {
   }
 };
 
-/// See outside_bound.
-[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<float>& boundary, double goal,
+/// See outside_bound. Compiled for float, double and long double.
+template <class FT>
+[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<FT>& boundary, double goal,
                                   verify::Boundary_origin origin);
-[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<double>& boundary, double goal,
-                                  verify::Boundary_origin origin);
-[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<long double>& boundary,
-                                  double goal, verify::Boundary_origin origin);
 /// See is_within.
-[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<float>& boundary,
-                                    double widening);
-[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<double>& boundary,
-                                    double widening);
-[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<long double>& boundary,
-                                    double widening);
+template <class FT>
+[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<FT>& boundary, double widening);
 
 }  // namespace internal
 
