@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve piece relative to a point, as polynomials in the Bernstein basis over exact numbers or double-doubles, and
-// the two number types' common conversions.
+// What proofs have in common: a curve piece relative to a point, as polynomials in the Bernstein basis over exact
+// numbers or double-doubles, conversions of these, and proofs of polynomials' signs over them and over intervals.
 
 #ifndef BOUNDING_ARCS_LIBRARY_VERIFY_WEIGHTED_PIECE_H
 #define BOUNDING_ARCS_LIBRARY_VERIFY_WEIGHTED_PIECE_H
@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,6 +65,34 @@ template <class NT> [[nodiscard]] Bracket length_range(const Xy<NT>& v) {
   const Bracket x = range_of(v.x), y = range_of(v.y);
   return {stable_norm(Xy<double>{least(x), least(y)}) * ROUND_DOWN,
           stable_norm(Xy<double>{most(x), most(y)}) * ROUND_UP};
+}
+
+// Proofs that a polynomial is nowhere negative on [0, 1], from the signs of its Bernstein coefficients.
+
+/// What came of a proof.
+enum class Proof { PROVEN, DISPROVED, UNDECIDED };
+
+/// -1, 0 or +1, or nothing where errors leave it open.
+template <class Exact> [[nodiscard]] std::optional<int> certain_sign(const Exact& x) {
+  return static_cast<int>(CGAL::sign(x));
+}
+[[nodiscard]] inline std::optional<int> certain_sign(const Double_double& x) { return x.sign(); }
+[[nodiscard]] inline std::optional<int> certain_sign(const Mpfr_interval& x) {
+  const int sign = x.certain_sign();
+  return sign != 0 ? std::optional<int>(sign) : std::nullopt;
+}
+
+/// Whether p >= 0 on all of [0, 1].
+/// \param depth how often to halve before giving up: a sign that needs finer parts than that is as good as a root
+template <class NT> [[nodiscard]] Proof prove_nonnegative(const Bernstein_polynomial<NT>& p, int depth = 30) {
+  const auto& c = p.scaled_coefficients();
+  const auto is_nonnegative = [](const NT& x) { return certain_sign(x).value_or(-1) >= 0; };
+  if (certain_sign(c.front()) == -1 || certain_sign(c.back()) == -1) return Proof::DISPROVED;
+  if (std::all_of(c.begin(), c.end(), is_nonnegative)) return Proof::PROVEN;
+  if (depth == 0 || !is_nonnegative(c.front()) || !is_nonnegative(c.back())) return Proof::UNDECIDED;
+  const auto halves = p.halves();
+  const Proof head = prove_nonnegative(halves.first, depth - 1);
+  return head == Proof::PROVEN ? prove_nonnegative(halves.second, depth - 1) : head;
 }
 
 /// The piece [t0, t1] of a curve minus a point: (x, y) / weight over [0, 1] in units of the curve's table, weight > 0.
