@@ -7,7 +7,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include "../tree/Segment_hierarchy.h"
 #include "Line_prover.h"
-#include "axis_units.h"
+#include "Axis_editor.h"
 
 #include <algorithm>
 #include <cmath>

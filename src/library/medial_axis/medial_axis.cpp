@@ -2,10 +2,11 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of medial_axis/medial_axis.h.
+// Bodies of medial_axis/medial_axis.h, but for clearance_path(), and of medial_axis/Medial_axis_2.h.
 //
 //   curves -> parts that bound regions -> boundary of segments and corners -> parts between discs -> vertices and edges
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
@@ -17,7 +18,6 @@
 #include "Axis_builder.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -251,12 +252,99 @@ struct Move {
 
 }  // namespace
 
-Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps, const Medial_axis_2::Options& options,
-                          Index_loop loop) {
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box) {
+  const Xy<double> p[4] = {
+      {box.xmin(), box.ymin()}, {box.xmax(), box.ymin()}, {box.xmax(), box.ymax()}, {box.xmin(), box.ymax()}};
+  std::vector<Bezier_curve_2<double>> sides;
+  for (std::size_t i = 0; i < 4; ++i)
+    sides.push_back(Bezier_curve_2<double>(std::vector<Xy<double>>{p[i], p[(i + 1) % 4]}));
+  drawing.add(std::move(sides), "frame");
+  return drawing;
+}
+
+CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing) {
+  CGAL::Bbox_2 box;
+  for (const auto& curve : drawing.curves())
+    for (const auto& piece : curve.beziers)
+      for (const Xy<double>& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+  return box;
+}
+
+Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
+  const CGAL::Bbox_2 box = control_box(drawing);
+  if (drawing.curves().empty())
+    throw std::invalid_argument(expected("drawing", "at least one curve to be framed", "none"));
+  const CGAL::Bbox_2 wide(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
+  if (!(wide.xmin() < box.xmin() && box.xmax() < wide.xmax() && wide.ymin() < box.ymin() && box.ymax() < wide.ymax()))
+    throw std::invalid_argument(expected("margin", "a number above 0 that coordinates resolve", margin));
+  return framed(std::move(drawing), wide);
+}
+
+void internal::check_frame(const Drawing_2<double>& drawing) {
+  if (drawing.curves().empty()) return;
+  Drawing_2<double> frame;
+  frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
+  if (!frame.curves().front().is_closed)
+    throw std::invalid_argument(expected("last curve", "a closed frame", "an open curve"));
+  const Bounding_arc_tree_2 curves(frame);
+  const Point_location_2 location(curves);
+  for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
+    const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
+    if (!certainly(location.locate(p) == ON_BOUNDED_SIDE))
+      throw std::invalid_argument(expected("curve " + text_of(i), "a curve within the last one, the frame",
+                                           "one that starts at " + text_of(p)));
+  }
+}
+
+Medial_axis_2 internal::medial_axis(const Bounding_arc_tree_2& curves, double eps,
+                                    const Medial_axis_2::Options& options, Index_loop loop) {
   check_above_zero("eps", eps);
   if (options.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());
   return out(curves.unit(), resolved_axis(curves.in_unit(), {options, curves.unit().tolerance_in(eps), loop}));
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+// Whether an axis is in order.
+
+[[nodiscard]] static bool is_disc(const Xy<double>& center, double radius) {
+  return std::isfinite(center.x) && std::isfinite(center.y) && std::isfinite(radius) && radius >= 0;
+}
+[[nodiscard]] static bool is_on_curve(const Curve_place& p) { return p.t >= 0 && p.t <= 1; }
+
+[[nodiscard]] static bool is_valid(const Medial_axis_2::Vertex& v, double error) {
+  return is_disc(v.center, v.radius) && std::all_of(v.touches.begin(), v.touches.end(), is_on_curve) &&
+         v.clearance.lower <= v.clearance.upper && v.clearance.upper - v.radius <= error &&
+         v.radius - v.clearance.lower <= error;
+}
+
+// No disc of an edge lies in the one before or behind it: the axis is of discs in no larger ones.
+[[nodiscard]] static bool is_valid(const Medial_axis_2::Edge& e, double eps) {
+  for (std::size_t i = 0; i < e.samples.size(); ++i) {
+    const Medial_axis_2::Sample& s = e.samples[i];
+    if (!is_disc(s.center, s.radius) || !is_on_curve(s.left) || !is_on_curve(s.right)) return false;
+    if (i == 0) continue;
+    const Medial_axis_2::Sample& before = e.samples[i - 1];
+    if (!(std::fabs(s.radius - before.radius) <= euclidean_norm(s.center - before.center) + eps)) return false;
+  }
+  return e.samples.size() >= 2;
+}
+
+bool Medial_axis_2::is_valid() const {
+  if (!(eps >= 0) || !(error >= 0)) return false;
+  const auto is_sound = [this](const Medial_axis_2::Vertex& v) { return Bounding_arcs::is_valid(v, error); };
+  if (!std::all_of(vertices.begin(), vertices.end(), is_sound)) return false;
+  for (const Medial_axis_2::Edge& e : edges) {
+    if (!Bounding_arcs::is_valid(e, eps) || e.from >= vertices.size() || e.to >= vertices.size()) return false;
+    const auto is_at = [](const Medial_axis_2::Sample& s, const Medial_axis_2::Vertex& v) {
+      return s.center == v.center && s.radius == v.radius;
+    };
+    if (!is_at(e.samples.front(), vertices[e.from]) || !is_at(e.samples.back(), vertices[e.to])) return false;
+  }
+  return status != Medial_axis_2::Status::COMPLETE || vertices.size() + holes == edges.size() + regions;
+}
+
+}  // namespace CGAL::Bounding_arcs

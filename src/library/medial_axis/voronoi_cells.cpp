@@ -6,9 +6,9 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include "../tree/Segment_hierarchy.h"
+#include "Axis_editor.h"
 #include "Bounding_parts.h"
 #include "Line_parts.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,6 @@ class Places {
   explicit Places(const Segment_hierarchy& curves) : curves_(curves) {}
 
   [[nodiscard]] Xy<double> point(const Curve_place& p) const { return internal::point_at(curves_, p); }
-  [[nodiscard]] bool is_on_left(const Xy<double>& q, const Curve_place& p) const {
-    const Curve_jet jet = curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t);
-    return cross(jet.first, q - jet.point) > 0;
-  }
   [[nodiscard]] std::uint32_t count(std::uint32_t curve) const {
     return static_cast<std::uint32_t>(curves_.drawing().curves()[curve].beziers.size());
   }

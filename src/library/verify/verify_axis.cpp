@@ -7,7 +7,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
-#include "../medial_axis/axis_units.h"
+#include "../medial_axis/Axis_editor.h"
 #include "Axis_checker_curves.h"
 #include "Axis_tiling.h"
 #include "Checked_axis.h"
