@@ -27,8 +27,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// A disc that touches the boundary from one place on up to another one.
 struct Axis_leaf {
   Boundary_place first, last;
-  Xy<double> center;
-  double radius;
+  Touching_disc disc;
 };
 
 struct Ring_leaves {
@@ -99,7 +98,7 @@ class Leaf_finder {
     }
     if (best == nullptr || !(best->value > 0) || !are_alike(*last, ends.front())) return false;
     const Axis_leaf circle = osculating(*best, ends.front(), *last);
-    const double gap = most_gap({circle.center, circle.radius}, points_between(ends.front().place, ends.back().place));
+    const double gap = most_gap(circle.disc, points_between(ends.front().place, ends.back().place));
     if (!(gap <= most * boundary_.resolution())) return false;
     result.is_circle = true;
     result.circle = circle;
@@ -166,10 +165,7 @@ class Leaf_finder {
     }
     return elements;
   }
-  [[nodiscard]] double length(std::uint32_t e) const {
-    const Spiral_piece_2 p = boundary_.curves().piece(boundary_.element(e).segment);
-    return euclidean_norm(p.last.point - p.first.point);
-  }
+  [[nodiscard]] double length(std::uint32_t e) const { return boundary_.length(boundary_.element(e).segment); }
   [[nodiscard]] double reach(std::uint32_t e, bool is_forward) const {
     double sum = 0;
     for (const std::uint32_t i : run(e, is_forward)) sum += length(i);
@@ -199,14 +195,6 @@ class Leaf_finder {
     const Joint joint = joint_at_end_of(e);
     return std::isfinite(joint.difference()) && excess(joint) > 0;
   }
-  struct Only {
-    const Axis_boundary& boundary;
-    std::vector<std::uint32_t> elements;
-    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
-      if (std::find(elements.begin(), elements.end(), e) != elements.end())
-        visit(boundary.element(e).first, boundary.element(e).last);
-    }
-  };
   /// The leaf of a joint at the end of an element, if that turns to the left by little and there is one.
   [[nodiscard]] std::optional<Axis_leaf> rounded_joint(std::uint32_t e) const {
     if (!is_bent(e)) return std::nullopt;
@@ -216,17 +204,19 @@ class Leaf_finder {
     const double v = std::sqrt(excess(joint)), w = std::sqrt(excess(joint) + joint.difference()),
                  s = joint.turn / (v * (v + w));
     const Boundary_place p = place_from_joint(is_own_before ? e : next, !is_own_before, s);
-    const Boundary_jet jet = boundary_(p);
-    const Only others{boundary_, run(is_own_before ? next : e, is_own_before)};
-    Disc_search<Only> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
-    for (const std::uint32_t other : others.elements)
-      search.look_at_part(other, boundary_.element(other).first, boundary_.element(other).last);
+    const std::vector<std::uint32_t> beyond = run(is_own_before ? next : e, is_own_before);
+    const auto others = [&](std::uint32_t i, const auto& visit) {
+      if (std::find(beyond.begin(), beyond.end(), i) != beyond.end())
+        visit(boundary_.element(i).first, boundary_.element(i).last);
+    };
+    Disc_search search(boundary_, others, boundary_(p), boundary_.largest_radius());
+    for (const std::uint32_t i : beyond) search.look_at_part(i, boundary_.element(i).first, boundary_.element(i).last);
     search.finish();
     const Boundary_place q = search.place();
     const Xy<double> at = boundary_({e, boundary_.element(e).last}).point;
     // what is beyond is nearer, in another disc
     if (!search.is_found() || !(euclidean_norm(boundary_(q).point - at) <= 2 * s)) return std::nullopt;
-    const Axis_leaf leaf{is_own_before ? p : q, is_own_before ? q : p, search.center(), search.radius()};
+    const Axis_leaf leaf{is_own_before ? p : q, is_own_before ? q : p, search.disc()};
     double most = 0;  // curvature of the elements with both touches, and of those between
     for (std::uint32_t i = leaf.first.element;; i = boundary_.after(i)) {
       for (const double u : {boundary_.element(i).first, boundary_.element(i).last})
@@ -234,7 +224,7 @@ class Leaf_finder {
       if (i == leaf.last.element) break;
     }
     // where they bend more elsewhere the joint is no leaf, or nothing beside that
-    return most * leaf.radius <= 1 && is_empty(leaf) ? std::optional(leaf) : std::nullopt;
+    return most * leaf.disc.radius <= 1 && is_empty(leaf) ? std::optional(leaf) : std::nullopt;
   }
   /// The place on a Bezier piece at a distance from a joint; in the middle of its last element at most.
   [[nodiscard]] Boundary_place place_from_joint(std::uint32_t e, bool is_forward, double distance) const {
@@ -267,7 +257,7 @@ class Leaf_finder {
       const Touching_disc fit = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
       if (std::fabs(fit.radius - r) <= r * (std::max)(ALIKE, best.error / best.value)) disc = fit;
     }
-    return {from.place, to.place, disc.center, disc.radius};
+    return {from.place, to.place, disc};
   }
   [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {
     std::vector<Xy<double>> points{boundary_(from).point};
@@ -289,11 +279,12 @@ class Leaf_finder {
   void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
     if (from.is_corner) {
       const Boundary_place behind{from.next, boundary_.element(from.next).first};
-      leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, boundary_(from.place).point, 0});
+      leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, {boundary_(from.place).point, 0}});
       return;
     }
     const Axis_leaf leaf = osculating(best, from, to);
-    if (leaf.radius == 0 || (leaf.radius < boundary_.largest_radius() && is_empty(leaf))) leaves.push_back(leaf);
+    if (leaf.disc.radius == 0 || (leaf.disc.radius < boundary_.largest_radius() && is_empty(leaf)))
+      leaves.push_back(leaf);
   }
 
   // What falls off from the largest curvature stays outside of the disc (Kneser), however many elements it runs
@@ -301,7 +292,7 @@ class Leaf_finder {
   struct All_but {
     const Axis_boundary& boundary;
     std::uint32_t first, last;  // elements, in order around the ring
-    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+    template <class Visit> void operator()(std::uint32_t e, const Visit& visit) const {
       const Boundary_element& element = boundary.element(e);
       // the other side of a part is where this one is
       if (!is_between(e) && !is_between(boundary.back_of(e))) visit(element.first, element.last);
@@ -341,8 +332,7 @@ class Leaf_finder {
   [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
     const All_but others = others_of(leaf);
     const auto is_empty_from = [&](const Boundary_place& p) {
-      const Boundary_jet jet = boundary_(p);
-      Disc_search<All_but> search(boundary_, others, jet.point, jet.normal(), leaf.radius);
+      Disc_search search(boundary_, others, boundary_(p), leaf.disc.radius);
       search.search();
       return !search.is_found();
     };

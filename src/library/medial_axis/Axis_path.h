@@ -149,22 +149,20 @@ class Axis_path {
     return jet;
   }
   Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
-    const Boundary_jet jet = with_middle_tangent(p);
-    const Axis_parts::Others others{parts_, part_, own, other};
-    Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
+    const Axis_parts::Others others{parts_, part_, own};
+    Axis_parts::Search search(boundary_, others, with_middle_tangent(p), most_);
     search.start_from(near);
     parts_.run(search, others);
-    if (search.is_found()) return {search.place(), {search.center(), search.radius()}};
+    if (search.is_found()) return {search.place(), search.disc()};
     // beside the feet of an end's disc, on a line that leaves a corner, rounding may leave nothing in any disc
     for (const bool is_start : {false, true}) {
-      const Axis_node& node = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]];
-      const Touching_disc disc{node.center, node.radius};
+      const Touching_disc& disc = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]].disc;
       if (gap(p, disc) > ROUNDING * boundary_.resolution()) continue;
       const Boundary_arc& arc = parts_.arcs[other];
       return {is_start == (other == arc_a_) ? arc.from : arc.to, disc};
     }
     has_failed_ = true;
-    return {parts_.arcs[other].from, {search.center(), search.radius()}};
+    return {parts_.arcs[other].from, search.disc()};
   }
   // A partner, or the end of a piece that it is beyond. The disc touches that as well, where it is so by rounding
   // alone.
@@ -199,7 +197,7 @@ class Axis_path {
   }
   // At the part's own discs, whose radius is known better than two feet next to each other tell it.
   State end(const Boundary_place& a, const Boundary_place& b, std::size_t node) const {
-    const Axis_node& disc = parts_.nodes[parts_.parts[part_].nodes[node]];
+    const Touching_disc& disc = parts_.nodes[parts_.parts[part_].nodes[node]].disc;
     return with({a, b, disc.center, disc.radius}, boundary_(a), boundary_(b));
   }
 

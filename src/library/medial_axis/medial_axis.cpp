@@ -163,7 +163,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 }
 
 [[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked) {
-  const Axis_boundary boundary = axis_boundary(parts);
+  const Axis_boundary boundary(parts);
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
   const double eps = (std::max)(asked.eps, LEAST * boundary.size());
   const auto made = [&](bool is_joining) {
