@@ -58,13 +58,14 @@ template <class Exact> [[nodiscard]] Bracket range_of(const Exact& x) {
 /// Room for the few roundings of a formula in doubles whose result is to be an upper or lower bound.
 inline constexpr double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
 
+/// The most that the number can be.
+[[nodiscard]] inline double most_of(const Bracket& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); }
 /// A vector's length, between doubles.
 template <class NT> [[nodiscard]] Bracket length_range(const Xy<NT>& v) {
-  const auto most = [](const Bracket& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); };
   const auto least = [](const Bracket& r) { return r.lower > 0 ? r.lower : (r.upper < 0 ? -r.upper : 0.0); };
   const Bracket x = range_of(v.x), y = range_of(v.y);
   return {stable_norm(Xy<double>{least(x), least(y)}) * ROUND_DOWN,
-          stable_norm(Xy<double>{most(x), most(y)}) * ROUND_UP};
+          stable_norm(Xy<double>{most_of(x), most_of(y)}) * ROUND_UP};
 }
 
 // Proofs that a polynomial is nowhere negative on [0, 1], from the signs of its Bernstein coefficients.

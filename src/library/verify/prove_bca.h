@@ -79,23 +79,23 @@ struct Parameter_range {
   Rational low{0}, high{1};
 };
 
+/// The polynomial over the range as over [0, 1], times what clears denominators.
+[[nodiscard]] inline Integer_polynomial restricted(const Integer_polynomial& p, const Parameter_range& range) {
+  const std::vector<Integer> ends =
+      cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+  return p.restricted(ends[0], ends[1], ends[2], ends[3]);
+}
 /// Whether p >= 0 in the range, its roots at 0 and 1 left out.
 [[nodiscard]] inline Proof prove_nonnegative_but_at_ends(const Integer_polynomial& p, const Parameter_range& range) {
   Integer_polynomial rest = without_roots(p, common_zeros(p, p, true), common_zeros(p, p, false));
-  if (range.low != 0 || range.high != 1) {
-    const std::vector<Integer> ends =
-        cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
-    rest = rest.restricted(ends[0], ends[1], ends[2], ends[3]);
-  }
+  if (range.low != 0 || range.high != 1) rest = restricted(rest, range);
   return prove_nonnegative(rest);
 }
 
 /// An upper bound of the distance from an end of all points with parameters in the range; infinite if unknown.
 [[nodiscard]] inline double reach(const End_view& v, const Parameter_range& range) {
-  const std::vector<Integer> ends =
-      cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
   const auto part = [&](const Integer_polynomial& p) {
-    return p.elevated(v.x.degree()).restricted(ends[0], ends[1], ends[2], ends[3]).scaled_coefficients();
+    return restricted(p.elevated(v.x.degree()), range).scaled_coefficients();
   };
   const std::vector<Integer> x = part(v.x), y = part(v.y), weight = part(v.weight);
   double r = 0;
