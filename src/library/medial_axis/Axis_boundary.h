@@ -20,6 +20,7 @@
 #include "Hidden_turns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -110,8 +111,8 @@ class Axis_boundary {
 
   /// \param parts must outlive this
   explicit Axis_boundary(const Bounding_parts& parts)
-      : curves_(parts.segments), of_segment_(curves_.number_of_segments()), size_(coordinate_size_of(curves_)),
-        hidden_turns_(curves_, size_, 2 * resolution()) {
+      : curves_(parts.segments), of_segment_(curves_.number_of_segments(), {NONE, NONE}),
+        size_(coordinate_size_of(curves_)), hidden_turns_(curves_, size_, 2 * resolution()) {
     for (const Bounding_ring& ring : parts.rings) {
       std::vector<Directed_segment> way;
       for (const Directed_segment& s : ring.way)
@@ -130,19 +131,17 @@ class Axis_boundary {
   [[nodiscard]] const std::vector<Boundary_element>& elements() const { return elements_; }
   [[nodiscard]] const Boundary_element& element(std::uint32_t i) const { return elements_[i]; }
   [[nodiscard]] const std::vector<Boundary_ring>& rings() const { return rings_; }
-  /// The elements that a segment is, one for each side of it that has a region; of a point the corner.
-  struct Sides {
-    std::uint32_t of[2] = {NONE, NONE};
-  };
+  /// The elements that a segment is, one for each side of it that has a region, or NONE; of a point the corner.
+  using Sides = std::array<std::uint32_t, 2>;
   [[nodiscard]] const Sides& sides(std::uint32_t segment) const { return of_segment_[segment]; }
   /// What of a segment is on its other side; NONE where no region is, and of corners.
   [[nodiscard]] std::uint32_t back_of(std::uint32_t e) const {
     const Boundary_element& element = elements_[e];
-    return element.is_corner ? NONE : of_segment_[element.segment].of[element.is_reversed ? 0 : 1];
+    return element.is_corner ? NONE : of_segment_[element.segment][element.is_reversed ? 0 : 1];
   }
   /// Calls visit(element) for the sides of a segment, and for the corners beside these.
   template <class Visit> void for_each_element_of(std::uint32_t segment, const Visit& visit) const {
-    for (const std::uint32_t e : of_segment_[segment].of) {
+    for (const std::uint32_t e : of_segment_[segment]) {
       if (e == NONE) continue;
       visit(e);
       if (elements_[e].is_corner) continue;  // a point
@@ -288,7 +287,7 @@ class Axis_boundary {
   void add(Boundary_element e) {
     e.ring = static_cast<std::uint32_t>(rings_.size() - 1);
     const auto i = static_cast<std::uint32_t>(elements_.size());
-    if (!e.is_corner || rings_.back().begin == i) of_segment_[e.segment].of[e.is_reversed ? 1 : 0] = i;
+    if (!e.is_corner || rings_.back().begin == i) of_segment_[e.segment][e.is_reversed ? 1 : 0] = i;
     elements_.push_back(e);
     rings_.back().end = i + 1;
     if (e.turn < Boundary_element::ROUNDED_TURN) largest_rounded_turn_ = (std::max)(largest_rounded_turn_, e.turn);

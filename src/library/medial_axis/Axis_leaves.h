@@ -72,7 +72,6 @@ class Leaf_finder {
     Boundary_place place;
     double value, error;
     bool is_corner = false;
-    std::uint32_t next = 0;           // behind a convex corner
     std::optional<Axis_leaf> leaf{};  // of a corner that is rounded
   };
   [[nodiscard]] static bool are_within(const End& a, const End& b, double share) {
@@ -134,9 +133,8 @@ class Leaf_finder {
         ends.push_back(end_at({i, u}));
         if (std::isfinite(ends.back().value)) ends.back().error += bend;
       }
-      if (const auto rounded = rounded_joint(i))
-        ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i), rounded});
-      else if (e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i)});
+      const auto rounded = rounded_joint(i);
+      if (rounded || e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, rounded});
     }
     return ends;
   }
@@ -278,7 +276,8 @@ class Leaf_finder {
 
   void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
     if (from.is_corner) {
-      const Boundary_place behind{from.next, boundary_.element(from.next).first};
+      const std::uint32_t next = boundary_.after(from.place.element);
+      const Boundary_place behind{next, boundary_.element(next).first};
       leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, {boundary_(from.place).point, 0}});
       return;
     }

@@ -78,11 +78,11 @@ class Axis_path {
       const double most = ROUNDING * boundary_.resolution() + 2 * boundary_.largest_rounded_turn() * last.sample.radius;
       if ((std::min)(gap_a, gap_b) > most) has_failed_ = true;
       if (gap_a <= gap_b) {
-        go_to(facing<true>({a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
+        go_to(facing(true, {a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
         ++i;
         last = state({a_[i].element, a_[i].u0}, last.sample.b);
       } else {
-        go_to(facing<false>({b_[j].element, b_[j].u0}, p, a_[i].u0, a_[i].u1));
+        go_to(facing(false, {b_[j].element, b_[j].u0}, p, a_[i].u0, a_[i].u1));
         --j;
         last = state(last.sample.a, {b_[j].element, b_[j].u1});
       }
@@ -222,10 +222,10 @@ class Axis_path {
     const double on_a = std::fabs(t.sample.a.u - s.sample.a.u) * (std::max)(s.speed_a, t.speed_a),
                  on_b = std::fabs(t.sample.b.u - s.sample.b.u) * (std::max)(s.speed_b, t.speed_b);
     const bool is_half_of_a = halves_a(s.sample, on_a, on_b);
-    State middle = is_half_of_a ? between<true>(s, t) : between<false>(s, t);
+    State middle = between(is_half_of_a, s, t);
     // the other foot may be beyond a joint that is rounded off
     if (boundary_.turn_to_middle(is_half_of_a ? middle.sample.b : middle.sample.a) != 0)
-      middle = is_half_of_a ? between<false>(s, t) : between<true>(s, t);
+      middle = between(!is_half_of_a, s, t);
     if (!(middle.sample.radius > 0)) {
       if (!are_at_one_point(s.sample, t.sample)) has_failed_ = true;
       return;
@@ -253,23 +253,22 @@ class Axis_path {
     return boundary_.element(a).is_corner ? !(on_b > 0) : on_a >= on_b;
   }
   // The disc half way along one of the arcs, by Newton's method on the other one.
-  template <bool IS_HALF_OF_A> [[nodiscard]] State between(const State& s, const State& t) const {
-    const Boundary_place &from = IS_HALF_OF_A ? s.sample.a : s.sample.b, &to = IS_HALF_OF_A ? t.sample.a : t.sample.b;
-    const Boundary_place &start = IS_HALF_OF_A ? s.sample.b : s.sample.a,
-                         &stop = IS_HALF_OF_A ? t.sample.b : t.sample.a;
+  [[nodiscard]] State between(bool is_half_of_a, const State& s, const State& t) const {
+    const Boundary_place &from = is_half_of_a ? s.sample.a : s.sample.b, &to = is_half_of_a ? t.sample.a : t.sample.b;
+    const Boundary_place &start = is_half_of_a ? s.sample.b : s.sample.a,
+                         &stop = is_half_of_a ? t.sample.b : t.sample.a;
     const Boundary_place p{from.element, 0.5 * (from.u + to.u)};
     const double low = (std::min)(start.u, stop.u), high = (std::max)(start.u, stop.u);
-    const auto rate = [](const State& x) {
-      const double r = IS_HALF_OF_A ? x.rate_a / x.rate_b : x.rate_b / x.rate_a;
+    const auto rate = [&](const State& x) {
+      const double r = is_half_of_a ? x.rate_a / x.rate_b : x.rate_b / x.rate_a;
       return std::isfinite(r) ? -r : 0;
     };
     const double middle = 0.5 * (start.u + stop.u), guess = middle + (to.u - from.u) / 8 * (rate(s) - rate(t));
     const Boundary_place q{start.element, low < guess && guess < high ? guess : middle};
-    return facing<IS_HALF_OF_A>(p, q, low, high);
+    return facing(is_half_of_a, p, q, low, high);
   }
-  // The disc that touches at p, on the first arc if IS_OF_A, and in a range of the other one.
-  template <bool IS_OF_A>
-  [[nodiscard]] State facing(const Boundary_place& p, Boundary_place q, double low, double high) const {
+  // The disc that touches at p, on the first arc if is_of_a, and in a range of the other one.
+  [[nodiscard]] State facing(bool is_of_a, const Boundary_place& p, Boundary_place q, double low, double high) const {
     const Boundary_jet fixed = with_middle_tangent(p);
     Boundary_jet moving = boundary_(q);
     constexpr int MOST_STEPS = 60;
@@ -291,7 +290,7 @@ class Axis_path {
       moving = boundary_(q);
       if (is_newton && change <= settled && std::fabs(moving.turn) * change <= 2 * SETTLED) break;
     }
-    State s = IS_OF_A ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
+    State s = is_of_a ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
     const bool is_at_end = !(low < high) || q.u == low || q.u == high;
     // a joint has two normals, of which its disc may have any
     if (boundary_.turn_to_middle(p) != 0 && boundary_.turn_to_middle(q) == 0) touch(s.sample, moving, fixed, true);

@@ -224,7 +224,7 @@ class Axis_prover {
   [[nodiscard]] bool are_sides_tiled() {
     std::vector<char> has_region(ranges_.size(), 0);
     for (const Bounding_ring& ring : bounds_.rings)
-      for (const Directed_segment& s : ring.way) has_region[2 * s.segment + s.is_reversed] = 1;
+      for (const Directed_segment& s : ring.way) has_region[s.side()] = 1;
     for (std::uint32_t side = 0; side < ranges_.size(); ++side) {
       const Spiral_piece_2 p = curves_.piece(side / 2);
       if (euclidean_norm(p.last.point - p.first.point) <= least_) continue;
@@ -277,7 +277,7 @@ class Axis_prover {
   double size_, least_, eps_ = 0;  // the latter of an edge, less what is moved
   Foot_runs runs_;
   Line_prover prover_;
-  std::vector<std::vector<Range>> ranges_;  // by side: 2 segment + (1 on its right)
+  std::vector<std::vector<Range>> ranges_;  // by side
   std::vector<Feet> feet_;                  // of each vertex
   std::vector<std::size_t> on_arcs_;        // vertices that may touch one
   std::vector<Proved_line> lines_;

@@ -59,7 +59,7 @@ std::optional<Maximal_discs_2::Disc> Maximal_discs_2::operator()(const Curve_pla
   const auto segment = boundary_->places.segment_at(parts.number_of_bezier(place.curve, place.bezier), place.t);
   if (!segment || place.t < parts.piece(*segment).first.t || place.t > parts.piece(*segment).last.t)
     return std::nullopt;
-  for (const std::uint32_t e : boundary_->boundary.sides(*segment).of)
+  for (const std::uint32_t e : boundary_->boundary.sides(*segment))
     if (e != internal::Axis_boundary::NONE) return boundary_->at(boundary_->boundary.place(e, place.t));
   return std::nullopt;
 }

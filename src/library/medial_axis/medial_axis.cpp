@@ -75,7 +75,7 @@ void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_ax
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const bool is_needed = i + 1 == samples.size() ||
                            !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
-                           is_good(samples[i].center, samples[i].radius);
+                           is_good(samples[i]);
     if (is_needed) samples[kept++] = samples[i];
   }
   samples.resize(kept);
@@ -102,21 +102,17 @@ void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_ax
 
 // Brackets of all vertices. Where a disc of one of these, or of any of many samples, has a curve in it, it is left out:
 // what rounding may have made of decisions would be seen there. The first and the last ones of an edge are the
-// vertices.
+// vertices. The error is the most by which a vertex's disc misses one of its touches, or its center's distance from all
+// curves.
 void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop, Medial_axis_2& axis) {
   constexpr double ROUNDING = 64;  // times the resolution
-  const auto is_empty_within = [&](const Xy<double>& center, double radius, double rounding) {
+  const auto is_empty = [&](const Xy<double>& center, double radius, double rounding) {
     Closest_search search(curves, center, radius - rounding * boundary.resolution());
     search.search();
     return !search.result().has_value();
   };
-  const auto is_empty = [&](const Xy<double>& center, double radius) {
-    return is_empty_within(center, radius, ROUNDING);
-  };
   // samples that may be left out are to be better
-  const auto is_good = [&](const Xy<double>& center, double radius) {
-    return is_empty_within(center, radius, ROUNDING / 2);
-  };
+  const auto is_good = [&](const Medial_axis_2::Sample& s) { return is_empty(s.center, s.radius, ROUNDING / 2); };
   const bool has_hidden_turns = boundary.hidden_height() > 0;
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
@@ -126,7 +122,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
                                 (has_hidden_turns && is_at_corner(samples, i)) || is_outlier(samples, i, axis.eps);
-      if (is_looked_at && !is_empty(samples[i].center, samples[i].radius)) is_wrong_edge[edge] = 1;
+      if (is_looked_at && !is_empty(samples[i].center, samples[i].radius, ROUNDING)) is_wrong_edge[edge] = 1;
     }
   };
   for_each_by_place(
@@ -138,22 +134,16 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
         (v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front()))
             ->distance;
     const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
-    if (!is_known_empty && !is_empty(v.center, v.radius)) is_wrong_vertex[vertex] = 1;
+    if (!is_known_empty && !is_empty(v.center, v.radius, ROUNDING)) is_wrong_vertex[vertex] = 1;
   };
   for_each_by_place(
       loop, RANGE_SIZE, axis.vertices.size(), [&](std::size_t i) { return axis.vertices[i].center; }, check_vertex);
   leave_out(is_wrong_vertex, is_wrong_edge, axis);
-  for (const Medial_axis_2::Vertex& v : axis.vertices)
+  for (const Medial_axis_2::Vertex& v : axis.vertices) {
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
-}
-
-/// The most by which a vertex's disc misses one of its touches, or its center's distance from all curves.
-[[nodiscard]] double most_miss(const Segment_hierarchy& curves, const Medial_axis_2& axis) {
-  double most = axis.error;
-  for (const Medial_axis_2::Vertex& v : axis.vertices)
     for (const Curve_place& p : v.touches)
-      most = (std::max)(most, std::fabs(euclidean_norm(point_at(curves, p) - v.center) - v.radius));
-  return most;
+      axis.error = (std::max)(axis.error, std::fabs(euclidean_norm(point_at(curves, p) - v.center) - v.radius));
+  }
 }
 
 // An axis that has another number of branches than Euler's relation is not whole, whatever its discs are; and discs
@@ -170,7 +160,6 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, asked.loop).build();
     axis.eps = eps;
     check_discs(parts.segments, boundary, asked.loop, axis);
-    axis.error = most_miss(parts.segments, axis);
     return axis;
   };
   Medial_axis_2 axis = made(false);

@@ -65,7 +65,7 @@ class Touched_arcs {
       : curves_(bounds.segments), runs_(runs), room_(ROOM * size), next_(2 * curves_.number_of_segments(), NONE) {
     for (const Bounding_ring& ring : bounds.rings)
       for (std::size_t i = 0; i < ring.way.size(); ++i)
-        next_[number_of(ring.way[i])] = number_of(ring.way[(i + 1) % ring.way.size()]);
+        next_[ring.way[i].side()] = ring.way[(i + 1) % ring.way.size()].side();
   }
 
   /// \param to the same place as `from` where a ring is an arc that the disc touches
@@ -82,9 +82,6 @@ class Touched_arcs {
   }
 
  private:
-  [[nodiscard]] static std::uint32_t number_of(const Directed_segment& s) {
-    return 2 * s.segment + (s.is_reversed ? 1 : 0);
-  }
   [[nodiscard]] double start_of(std::uint32_t side) const {
     const Spiral_piece_2 piece = curves_.piece(side / 2);
     return side % 2 != 0 ? piece.last.t : piece.first.t;
@@ -95,8 +92,7 @@ class Touched_arcs {
     for (std::size_t sides = 0; sides <= next_.size() && side != NONE; ++sides) {
       const Spiral_piece_2 piece = curves_.piece(side / 2);
       const bool is_reversed = side % 2 != 0;
-      Foot_run run;
-      run.segment = side / 2, run.from = t, run.to = is_reversed ? piece.first.t : piece.last.t;
+      Foot_run run{side / 2, t, is_reversed ? piece.first.t : piece.last.t};
       bool is_there = false;
       for (const Foot_runs::Name& end : ends) {
         const bool is_ahead = is_reversed ? run.to <= end.t && end.t <= t : t <= end.t && end.t <= run.to;
@@ -128,7 +124,7 @@ class Touched_arcs {
   const Segment_hierarchy& curves_;
   const Foot_runs& runs_;
   double room_;
-  std::vector<std::uint32_t> next_;  // in rings, by segment: 2 segment + (1 where it is reversed)
+  std::vector<std::uint32_t> next_;  // sides in rings
 };
 
 /// Goes along the boundary of all regions by both sides of each edge: the right feet run along it, the left ones
@@ -150,7 +146,8 @@ class Cell_walk {
       for (std::size_t at = side; !is_done[at]; at = next_[at]) {
         is_done[at] = true;
         for (std::size_t k = 0; k + 1 < size(at); ++k) cycle.push_back(line(at, k));
-        add_arcs(end_of(at), foot(at, size(at) - 1), foot(next_[at], 0), cycle);
+        const Curve_place &last = foot(at, size(at) - 1), &next = foot(next_[at], 0);
+        if (places_.distance(last, next) > least_) add_way(end_of(at), last, next, cycle);
       }
       add_runs(cycle);
     }
@@ -225,9 +222,6 @@ class Cell_walk {
   }
 
   // Adds the arcs that a vertex touches from one foot to the next one.
-  void add_arcs(std::size_t vertex, const Curve_place& last, const Curve_place& next, std::vector<Line>& cycle) const {
-    if (places_.distance(last, next) > least_) add_way(vertex, last, next, cycle);
-  }
   void add_way(std::size_t vertex, const Curve_place& last, const Curve_place& next, std::vector<Line>& cycle) const {
     for (const Foot_run& run : arcs_.between(last, next, axis_.vertices[vertex]))
       cycle.push_back({0, 0, curves_.place_at(run.segment, run.from), curves_.place_at(run.segment, run.to), 0,
