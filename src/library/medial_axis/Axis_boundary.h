@@ -376,6 +376,8 @@ class Axis_boundary {
 struct Touching_disc {
   Xy<double> center;
   double radius;
+  /// By how much a point is beside its circle.
+  [[nodiscard]] double gap(const Xy<double>& p) const { return std::fabs(euclidean_norm(p - center) - radius); }
   friend bool operator==(const Touching_disc& a, const Touching_disc& b) {
     return a.center == b.center && a.radius == b.radius;
   }

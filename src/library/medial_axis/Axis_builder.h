@@ -49,9 +49,7 @@ void for_each_by_place(Index_loop loop, std::size_t at_once, std::size_t count, 
   }
   CGAL::hilbert_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_2<Kernel, Points>(CGAL::make_property_map(points)));
-  loop((count + at_once - 1) / at_once, [&](std::size_t k) {
-    for (std::size_t i = k * at_once; i < (std::min)((k + 1) * at_once, count); ++i) work(order[i]);
-  });
+  for_each_in_turn(loop, at_once, count, [&](std::size_t i) { work(order[i]); });
 }
 
 // Vertices and edges of the axis from the discs and paths of all parts: discs that are one within rounding become one
@@ -140,7 +138,7 @@ class Axis_graph {
     if (!is_close(a.disc.center, b.disc.center)) return false;
     const auto touches = [&](const Axis_node& disc, const Axis_node& other) {
       return std::all_of(other.touches.begin(), other.touches.end(), [&](const Boundary_place& p) {
-        return most_gap(disc.disc, {boundary_(p).point}) <= ROUNDING * boundary_.resolution();
+        return disc.disc.gap(boundary_(p).point) <= ROUNDING * boundary_.resolution();
       });
     };
     return touches(a, b) && touches(b, a);
@@ -174,14 +172,9 @@ class Axis_graph {
     const double twice = 2 * cross(u, v);
     if (twice == 0) return;
     const Xy<double> way = (-1 / twice) * perp(dot(u, u) * v - dot(v, v) * u);
-    const auto miss = [&](const Xy<double>& at, double radius) {
-      double most = 0;
-      for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(p - at) - radius));
-      return most;
-    };
-    const Xy<double> at = a + way;
-    const double radius = euclidean_norm(way);
-    if (miss(at, radius) < miss(vertex.center, vertex.radius)) vertex.center = at, vertex.radius = radius;
+    const Touching_disc disc{a + way, euclidean_norm(way)};
+    if (most_gap(disc, points) < most_gap({vertex.center, vertex.radius}, points))
+      vertex.center = disc.center, vertex.radius = disc.radius;
   }
 
   const Axis_parts& parts_;

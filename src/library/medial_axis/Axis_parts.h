@@ -81,9 +81,6 @@ class Axis_parts {
       first_[e] = static_cast<std::uint32_t>(fragments_.size() - 1);
     });
   }
-  void add_all_fragments() {
-    for (std::uint32_t i = 0; i < arcs.size(); ++i) add_fragments(i);
-  }
   /// Cuts an arc in two; neither begins or ends in an element that it has only an end of, unless that is all of it.
   /// \return the number of what is behind the cut; what is before it keeps its number
   std::uint32_t split(std::uint32_t arc, const Boundary_place& at) {

@@ -66,13 +66,13 @@ class Axis_path {
           partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b), partner_of_ = i;
         const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_.place);
         q = on(b_[j], partner_, k, j);
-        gap_a = k >= j ? -1 : gap(q, partner_.disc);
+        gap_a = k >= j ? -1 : partner_.disc.gap(boundary_(q).point);
       }
       if (j > 0 && gap_a >= 0) {
         const Partner partner = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
         const std::size_t k = parts_.steps(parts_.arcs[arc_a_], partner.place);
         p = on(a_[i], partner, k, i);
-        gap_b = k == i ? -1 : gap(p, partner.disc);
+        gap_b = k == i ? -1 : partner.disc.gap(boundary_(p).point);
       }
       // discs at ends of elements that turn to the left by little are in what is beyond, by as much on either side
       const double most = ROUNDING * boundary_.resolution() + 2 * boundary_.largest_rounded_turn() * last.sample.radius;
@@ -157,7 +157,7 @@ class Axis_path {
     // beside the feet of an end's disc, on a line that leaves a corner, rounding may leave nothing in any disc
     for (const bool is_start : {false, true}) {
       const Touching_disc& disc = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]].disc;
-      if (gap(p, disc) > ROUNDING * boundary_.resolution()) continue;
+      if (disc.gap(boundary_(p).point) > ROUNDING * boundary_.resolution()) continue;
       const Boundary_arc& arc = parts_.arcs[other];
       return {is_start == (other == arc_a_) ? arc.from : arc.to, disc};
     }
@@ -170,9 +170,6 @@ class Axis_path {
                                          std::size_t wanted) {
     if (of == wanted) return {piece.element, std::clamp(partner.place.u, piece.u0, piece.u1)};
     return {piece.element, of < wanted ? piece.u0 : piece.u1};
-  }
-  [[nodiscard]] double gap(const Boundary_place& p, const Touching_disc& disc) const {
-    return std::fabs(euclidean_norm(boundary_(p).point - disc.center) - disc.radius);
   }
 
   State state(const Boundary_place& a, const Boundary_place& b) const {

@@ -117,9 +117,17 @@ class Branch_finder {
   }
 
   struct Foot_of_disc {
+    std::uint32_t position;
     const Boundary_arc* arc;
     Boundary_place place;
   };
+  using Feet = std::array<Foot_of_disc, 3>;
+  [[nodiscard]] Feet feet_of(const Boundary_place& p, const Side& from, const Side& to) const {
+    const auto foot = [&](std::uint32_t position, const Boundary_place& place) {
+      return Foot_of_disc{position, &parts_.arcs[parts_.parts[part_].arcs[position]], place};
+    };
+    return {foot(own_, p), foot(to.position, to.foot), foot(from.position, from.foot)};
+  }
   // One of Newton's steps for the point of an arc next to a center; it may go on to a neighbouring element.
   // \return whether it is a nearest point
   bool step_to(const Xy<double>& center, Foot_of_disc& foot) const {
@@ -146,10 +154,7 @@ class Branch_finder {
   }
 
   [[nodiscard]] std::optional<Axis_branch> newton(const Boundary_place& p, const Side& from, const Side& to) const {
-    const Axis_part& part = parts_.parts[part_];
-    const auto arc = [&](std::uint32_t i) { return &parts_.arcs[part.arcs[i]]; };
-    std::array<Foot_of_disc, 3> feet{
-        Foot_of_disc{arc(own_), p}, {arc(to.position), to.foot}, {arc(from.position), from.foot}};
+    Feet feet = feet_of(p, from, to);
     Touching_disc disc{0.5 * (from.disc.center + to.disc.center), 0.5 * (from.disc.radius + to.disc.radius)};
     double last = HUGE_VAL;
     constexpr int MOST_STEPS = 24;
@@ -185,15 +190,13 @@ class Branch_finder {
           size <= 4 * HALF_ULP * boundary_.size() || (size >= last && last <= boundary_.resolution());
       disc = {disc.center + change, distance[0] + dot(direction[0], change)};
       last = size;
-      if (is_settled || (step + 1 == MOST_STEPS && size <= boundary_.resolution()))
-        return checked(feet, disc, from, to);
+      if (is_settled || (step + 1 == MOST_STEPS && size <= boundary_.resolution())) return checked(feet, disc);
     }
     return std::nullopt;
   }
 
   // Whether the disc is one of the part's: its feet on the arcs, and nothing in it.
-  [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Touching_disc& disc,
-                                                   const Side& from, const Side& to) const {
+  [[nodiscard]] std::optional<Axis_branch> checked(Feet& feet, const Touching_disc& disc) const {
     const auto& [center, radius] = disc;
     const double room = 8 * boundary_.resolution() + 0x1p-44 * radius;
     if (!(radius > room)) return std::nullopt;  // a point where curves meet, which several arcs come to
@@ -202,37 +205,36 @@ class Branch_finder {
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
       const Boundary_jet jet = boundary_(foot.place);
       const Xy<double> way = center - jet.point;
-      if (!(std::fabs(euclidean_norm(way) - radius) <= room)) return std::nullopt;
+      if (!(disc.gap(jet.point) <= room)) return std::nullopt;
       // the end of an arc, at a convex corner, from beyond
       constexpr double SLANTING = 0x1p-10;
       if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
         return std::nullopt;
     }
-    if (is_outside_of_tip(feet, {own_, to.position, from.position}, radius)) return std::nullopt;
+    if (is_outside_of_tip(feet, radius)) return std::nullopt;
     Closest_search search(boundary_.curves(), center, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
     if (auto joined = joined_at(disc)) return joined;
-    return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, disc);
+    return in_order(feet, disc);
   }
 
   // Whether a disc touches both sides of a sharp tip there, from outside: within, it would be smaller than its distance
   // from the tip. Where sides have one tangent, rounding does not tell which of them is before the other. A disc that
   // touches two corners is at the mouth of what is between them, where it may be large.
-  [[nodiscard]] bool is_outside_of_tip(const std::array<Foot_of_disc, 3>& feet,
-                                       const std::array<std::uint32_t, 3>& positions, double radius) const {
+  [[nodiscard]] bool is_outside_of_tip(const Feet& feet, double radius) const {
     const Axis_part& part = parts_.parts[part_];
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (positions[k] != (positions[i] + 1) % part.arcs.size()) continue;
-        const Axis_node& node = parts_.nodes[part.nodes[positions[i]]];
+    for (const Foot_of_disc& before : feet)
+      for (const Foot_of_disc& behind : feet) {
+        if (behind.position != (before.position + 1) % part.arcs.size()) continue;
+        const Axis_node& node = parts_.nodes[part.nodes[before.position]];
         if (node.kind != Axis_node_kind::LEAF || node.disc.radius != 0) continue;
-        if (dot(boundary_(feet[i].arc->to).tangent, boundary_(feet[k].arc->from).tangent) > 0) continue;
+        if (dot(boundary_(before.arc->to).tangent, boundary_(behind.arc->from).tangent) > 0) continue;
         constexpr double NEAR = 0.25;
         const auto is_near = [&](const Foot_of_disc& foot) {
           return euclidean_norm(boundary_(foot.place).point - node.disc.center) < NEAR * radius;
         };
-        if (is_near(feet[i]) && is_near(feet[k]) && !are_apart(feet[i].place, feet[k].place)) return true;
+        if (is_near(before) && is_near(behind) && !are_apart(before.place, behind.place)) return true;
       }
     return false;
   }
@@ -250,17 +252,17 @@ class Branch_finder {
       if (auto joined = joined_at(side->disc)) return joined;
     for (const Side* side : {&to, &from}) {
       const Side& other = side == &to ? from : to;
-      const double d = euclidean_norm(boundary_(other.foot).point - side->disc.center);
-      if (std::fabs(d - side->disc.radius) <= ROOM * boundary_.resolution())
-        return in_order({own_, to.position, from.position}, {p, to.foot, from.foot}, side->disc);
+      if (side->disc.gap(boundary_(other.foot).point) <= ROOM * boundary_.resolution())
+        return in_order(feet_of(p, from, to), side->disc);
     }
     return std::nullopt;
   }
-  [[nodiscard]] static Axis_branch in_order(std::array<std::uint32_t, 3> arcs, std::array<Boundary_place, 3> feet,
-                                            const Touching_disc& disc) {
-    for (const std::size_t i : {0U, 1U, 0U})
-      if (arcs[i] > arcs[i + 1]) std::swap(arcs[i], arcs[i + 1]), std::swap(feet[i], feet[i + 1]);
-    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, disc};
+  [[nodiscard]] static Axis_branch in_order(Feet feet, const Touching_disc& disc) {
+    std::sort(feet.begin(), feet.end(),
+              [](const Foot_of_disc& a, const Foot_of_disc& b) { return a.position < b.position; });
+    Axis_branch branch{{}, {}, disc};
+    for (const Foot_of_disc& foot : feet) branch.arcs.push_back(foot.position), branch.feet.push_back(foot.place);
+    return branch;
   }
 
   // All arcs of a part that a disc touches within rounding, and the one disc that touches them all.
@@ -284,9 +286,7 @@ class Branch_finder {
       const double gap = most_gap(disc, points);
       const double room = 4 * boundary_.resolution();
       if (gap <= room) return touched(disc, room);
-      const auto misses = [&](const Touch& t) {
-        return std::fabs(euclidean_norm(t.point - disc.center) - disc.radius) > (std::max)(room, gap / 2);
-      };
+      const auto misses = [&](const Touch& t) { return disc.gap(t.point) > (std::max)(room, gap / 2); };
       touches.erase(std::remove_if(touches.begin(), touches.end(), misses), touches.end());
     }
     return std::nullopt;
@@ -335,10 +335,9 @@ class Branch_finder {
       const std::optional<Boundary_place> p = foot(e, u0, u1, disc, room);
       if (!p) return;
       const Boundary_jet jet = boundary_(*p);
-      const Xy<double> way = disc.center - jet.point;
-      const double gap = std::fabs(euclidean_norm(way) - disc.radius);
+      const double gap = disc.gap(jet.point);
       // touched from inside
-      if (gap > room || !(dot(way, jet.normal()) > 0)) return;
+      if (gap > room || !(dot(disc.center - jet.point, jet.normal()) > 0)) return;
       const std::uint32_t arc = parts_.arc_of(part_, Axis_parts::NONE, *p);
       if (arc != Axis_parts::NONE) all.push_back({parts_.arcs[arc].position, *p, jet.point, gap});
     });

@@ -52,17 +52,15 @@ template <class Ranges> class Disc_search {
     };
     boundary_.for_each_element_of(segment, [&](std::uint32_t e) {
       ranges_(e, [&](double u0, double u1) {
-        if (!near()) return;
-        if (boundary_.element(e).is_corner) look_at_corner(e, u0, u1);
-        else look_at(e, u0, u1);
+        if (near()) look_at(e, u0, u1);
       });
     });
   }
   /// Looks at one part of an element: where few count, one after the other, then `finish`.
   void look_at_part(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
-    if (element.is_corner) look_at_corner(e, u0, u1);
-    else if (distance_bounds(disc_.center, curves_.region(element.segment)).lower < inner(element.segment))
+    if (element.is_corner ||
+        distance_bounds(disc_.center, curves_.region(element.segment)).lower < inner(element.segment))
       look_at(e, u0, u1);
   }
   void finish() {
@@ -110,14 +108,15 @@ template <class Ranges> class Disc_search {
 
   void look_at(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
+    if (element.is_corner) {
+      if (offer({e, u0}, element.point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
+      return;
+    }
     if (u0 == element.first && u1 == element.last)
       return refine(e, curves_.piece(element.segment), curves_.region(element.segment));
     const Spiral_piece_2 piece = boundary_.piece(e, u0, u1);
     if (u0 < u1) refine(e, piece, curves_.region(piece));
     else offer_sample(e, piece.first);
-  }
-  void look_at_corner(std::uint32_t e, double u0, double u1) {
-    if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
   }
   // The disc touches a corner in the direction of its center, as far as the corner counts.
   [[nodiscard]] double angle_to_center(std::uint32_t e) const {
@@ -208,7 +207,7 @@ template <class Ranges> class Disc_search {
 /// The length by which a disc misses the worst of some points.
 [[nodiscard]] inline double most_gap(const Touching_disc& disc, const std::vector<Xy<double>>& points) {
   double most = 0;
-  for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(disc.center - p) - disc.radius));
+  for (const Xy<double>& p : points) most = (std::max)(most, disc.gap(p));
   return most;
 }
 

@@ -23,24 +23,29 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Calls work(i) for i = 0, ..., count - 1.
+/// \param at_once how many follow each other in one thread
+template <class Work> void for_each_in_turn(Index_loop loop, std::size_t at_once, std::size_t count, const Work& work) {
+  loop((count + at_once - 1) / at_once, [&](std::size_t k) {
+    for (std::size_t i = k * at_once; i < (std::min)((k + 1) * at_once, count); ++i) work(i);
+  });
+}
+
 class Axis_start {
  public:
   Axis_start(Axis_parts& parts, Index_loop loop)
       : parts_(parts), boundary_(parts.boundary()), starts_(boundary_.rings().size()) {
     const auto count = static_cast<std::uint32_t>(starts_.size());
-    loop_over_ranges(loop, count, [&](std::size_t r, std::size_t end) {
-      Leaf_finder finder(boundary_);
-      for (; r < end; ++r) {
-        starts_[r].found = finder.leaves(static_cast<std::uint32_t>(r));
-        starts_[r].most = farthest(boundary_.rings()[r]);
-      }
+    for_each_in_turn(loop, RANGE_SIZE, count, [&](std::size_t r) {
+      starts_[r].found = Leaf_finder(boundary_).leaves(static_cast<std::uint32_t>(r));
+      starts_[r].most = farthest(boundary_.rings()[r]);
     });
     find_links(loop);
     for (std::uint32_t r = 0; r < count; ++r) add_ring(r);
     add_leaves();
     for (const std::uint32_t r : unlinked_)
       if (!starts_[r].has_shared_leaf) unresolved_.push_back(boundary_(rightmost(boundary_.rings()[r])).point);
-    parts_.add_all_fragments();
+    for (std::uint32_t i = 0; i < parts_.arcs.size(); ++i) parts_.add_fragments(i);
     for (const Link& l : links_) join(l);
     collect_parts();
   }
@@ -155,9 +160,8 @@ class Axis_start {
   // The links of all holes, of which none depends on another one.
   void find_links(Index_loop loop) {
     std::vector<std::optional<Link>> links(starts_.size());
-    loop_over_ranges(loop, links.size(), [&](std::size_t r, std::size_t end) {
-      for (; r < end; ++r)
-        if (!boundary_.rings()[r].is_outer) links[r] = link(static_cast<std::uint32_t>(r));
+    for_each_in_turn(loop, RANGE_SIZE, links.size(), [&](std::size_t r) {
+      if (!boundary_.rings()[r].is_outer) links[r] = link(static_cast<std::uint32_t>(r));
     });
     for (std::uint32_t r = 0; r < links.size(); ++r) {
       if (boundary_.rings()[r].is_outer) continue;
