@@ -11,7 +11,6 @@
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
@@ -24,24 +23,12 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::verify {
 
-/// A floating number over NT, an exact type or Double_double: without error.
-template <class NT, class Source> [[nodiscard]] NT number_from(const Source& x) {
-  if constexpr (!std::is_same_v<NT, Double_double>) {
-    return Exact_number<Source>::make(x);
-  } else {
-    const double hi = static_cast<double>(x);
-    return Double_double(hi, static_cast<double>(x - hi), 0);
-  }
-}
-template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) {
-  return {number_from<NT>(p.x), number_from<NT>(p.y)};
-}
+using internal::number_from;
 
 inline constexpr double INFINITE = std::numeric_limits<double>::infinity();
 [[nodiscard]] inline Bracket range_of(const Double_double& x) {
