@@ -6,7 +6,6 @@
 
 #include "../../src/library/verify/Thickness_proof.h"
 #include "../../src/library/verify/prove_bca.h"
-#include "../../src/library/verify/with_curvature_bounds.h"
 #include "Sagitta.h"
 #include "cases.h"
 

@@ -20,6 +20,7 @@
 #include "Hidden_turns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -73,14 +74,57 @@ struct Boundary_ring {
   return t == piece.first.t ? piece.first : (t == piece.last.t ? piece.last : curves.sample(segment, t));
 }
 
+/// A spiral segment as a ring goes along it.
+struct Directed_piece {
+  Spiral_piece_2 piece;
+  bool is_reversed;
+  [[nodiscard]] const Spiral_sample& first() const { return is_reversed ? piece.last : piece.first; }
+  [[nodiscard]] const Spiral_sample& last() const { return is_reversed ? piece.first : piece.last; }
+  [[nodiscard]] Xy<double> tangent(const Spiral_sample& end) const { return is_reversed ? -end.tangent : end.tangent; }
+  // Signed: the piece turns to one side.
+  [[nodiscard]] double curvature(const Spiral_sample& end) const {
+    return std::copysign(end.most_curvature / 2 + end.least_curvature / 2, cross(tangent(first()), tangent(last())));
+  }
+};
+
+/// The angle between two elements at their joint. Where the tangent turns back, the sides tell the sign: at the
+/// distance s from the cusp, with the tangent T and normal N before it, the arms are at
+/// -s T + s^2 / 2 kappa N and -s T - s^2 / 2 kappa' N, and the turn is to the left where the second one is.
+[[nodiscard]] inline double turn_of(const Directed_piece& p, const Directed_piece& q) {
+  const Xy<double> in = p.tangent(p.last()), out = q.tangent(q.first());
+  const double turn = std::atan2(cross(in, out), dot(in, out));
+  constexpr double HALF_TURN = 3.14159265358979323846, CUSP = HALF_TURN - 0x1p-20, KNOWN = 4;  // times errors
+  // at ends of curves that were given tangents are known better than where curves cross, or touch
+  const auto is_given = [](const Spiral_sample& s) { return s.t == 0 || s.t == 1; };
+  const double errors = p.last().tangent_error + q.first().tangent_error + TANGENT_ROUNDING,
+               known = is_given(p.last()) && is_given(q.first()) ? HALF_TURN - KNOWN * errors : CUSP;
+  if (std::fabs(turn) < (std::max)(CUSP, known)) return turn;
+  const double sum = p.curvature(p.last()) + q.curvature(q.first());
+  if (sum != 0 && !std::isnan(sum)) return std::copysign(std::fabs(turn), -sum);
+  const Xy<double>&from = p.first().point, &at = p.last().point, &to = q.last().point;
+  return std::copysign(std::fabs(turn), cross(at - from, to - at));
+}
+
 class Axis_boundary {
  public:
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
 
+  /// How far curves may be beside what is seen of them, in sizes: two roundings of coordinates.
+  static constexpr double HIDDEN_HEIGHT = 0x1p-45;
+
+  /// \param parts must outlive this
   /// \param hidden how far curves may be beside what is seen of them, in sizes
-  Axis_boundary(const Segment_hierarchy& curves, double hidden)
-      : curves_(curves), of_segment_(curves.number_of_segments()), size_(coordinate_size_of(curves)),
-        hidden_turns_(curves, size_, hidden * size_) {}
+  explicit Axis_boundary(const Bounding_parts& parts, double hidden = HIDDEN_HEIGHT)
+      : curves_(parts.segments), of_segment_(curves_.number_of_segments(), {NONE, NONE}),
+        size_(coordinate_size_of(curves_)), hidden_turns_(curves_, size_, hidden * size_) {
+    for (const Bounding_ring& ring : parts.rings) {
+      std::vector<Directed_segment> way;
+      for (const Directed_segment& s : ring.way)
+        if (is_long(s.segment)) way.push_back(s);
+      if (!way.empty()) add_ring(way, ring.is_outer);
+      else if (is_lone_point(ring.way) || is_dot(ring)) add_point(ring.way.front().segment);
+    }
+  }
 
   [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
   /// A segment without turns that are hidden at its ends.
@@ -91,19 +135,17 @@ class Axis_boundary {
   [[nodiscard]] const std::vector<Boundary_element>& elements() const { return elements_; }
   [[nodiscard]] const Boundary_element& element(std::uint32_t i) const { return elements_[i]; }
   [[nodiscard]] const std::vector<Boundary_ring>& rings() const { return rings_; }
-  /// The elements that a segment is, one for each side of it that has a region; of a point the corner.
-  struct Sides {
-    std::uint32_t of[2] = {NONE, NONE};
-  };
+  /// The elements that a segment is, one for each side of it that has a region, or NONE; of a point the corner.
+  using Sides = std::array<std::uint32_t, 2>;
   [[nodiscard]] const Sides& sides(std::uint32_t segment) const { return of_segment_[segment]; }
   /// What of a segment is on its other side; NONE where no region is, and of corners.
   [[nodiscard]] std::uint32_t back_of(std::uint32_t e) const {
     const Boundary_element& element = elements_[e];
-    return element.is_corner ? NONE : of_segment_[element.segment].of[element.is_reversed ? 0 : 1];
+    return element.is_corner ? NONE : of_segment_[element.segment][element.is_reversed ? 0 : 1];
   }
   /// Calls visit(element) for the sides of a segment, and for the corners beside these.
   template <class Visit> void for_each_element_of(std::uint32_t segment, const Visit& visit) const {
-    for (const std::uint32_t e : of_segment_[segment].of) {
+    for (const std::uint32_t e : of_segment_[segment]) {
       if (e == NONE) continue;
       visit(e);
       if (elements_[e].is_corner) continue;  // a point
@@ -116,6 +158,11 @@ class Axis_boundary {
     const Boundary_element& element = elements_[e];
     if (element.is_reversed) std::tie(u0, u1) = std::pair(-u1, -u0);
     return {element.segment, sample_at(curves_, element.segment, u0), sample_at(curves_, element.segment, u1)};
+  }
+  /// The distance between the ends of a segment.
+  [[nodiscard]] double length(std::uint32_t segment) const {
+    const Spiral_piece_2 p = curves_.piece(segment);
+    return euclidean_norm(p.last.point - p.first.point);
   }
   /// The largest |coordinate|.
   [[nodiscard]] double size() const { return size_; }
@@ -234,6 +281,9 @@ class Axis_boundary {
     return result.error >= std::fabs(result.value) && result.error * length > 1 ? cusp : result;
   }
 
+ private:
+  static constexpr double HALF_TURN = 3.14159265358979323846;
+
   void start_ring(bool is_outer) {
     const auto begin = static_cast<std::uint32_t>(elements_.size());
     rings_.push_back({begin, begin, is_outer});
@@ -241,13 +291,65 @@ class Axis_boundary {
   void add(Boundary_element e) {
     e.ring = static_cast<std::uint32_t>(rings_.size() - 1);
     const auto i = static_cast<std::uint32_t>(elements_.size());
-    if (!e.is_corner || rings_.back().begin == i) of_segment_[e.segment].of[e.is_reversed ? 1 : 0] = i;
+    if (!e.is_corner || rings_.back().begin == i) of_segment_[e.segment][e.is_reversed ? 1 : 0] = i;
     elements_.push_back(e);
     rings_.back().end = i + 1;
     if (e.turn < Boundary_element::ROUNDED_TURN) largest_rounded_turn_ = (std::max)(largest_rounded_turn_, e.turn);
   }
+  // A curve that is a point has a ring on either side, or one along both. A part without length is none.
+  [[nodiscard]] bool is_lone_point(const std::vector<Directed_segment>& way) const {
+    const std::uint32_t segment = way.front().segment;
+    const auto& points = curves_.bezier(curves_.bezier_of(segment)).control_points();
+    const auto is_it = [&](const Directed_segment& s) { return s.segment == segment; };
+    const auto is_there = [&](const Xy<double>& p) { return p == points.front(); };
+    return !way.front().is_reversed && std::all_of(way.begin(), way.end(), is_it) &&
+           std::all_of(points.begin(), points.end(), is_there);
+  }
+  // A closed curve that is no longer than that is one to what is around it.
+  [[nodiscard]] bool is_dot(const Bounding_ring& ring) const {
+    const auto has_length = [&](const Directed_segment& s) { return length(s.segment) > 0; };
+    return !ring.is_outer && std::any_of(ring.way.begin(), ring.way.end(), has_length);
+  }
+  // Shorter are points, and what is between two cuts that are nearly one.
+  [[nodiscard]] bool is_long(std::uint32_t segment) const { return length(segment) > resolution(); }
+  // How far the Bezier piece goes on from the joint behind a segment, there or, backwards, before it.
+  template <bool IS_FORWARD> [[nodiscard]] double reach(const std::vector<Directed_segment>& way, std::size_t i) const {
+    const std::size_t n = way.size(), first = IS_FORWARD ? (i + 1) % n : i;
+    const std::uint32_t bezier = curves_.bezier_of(way[first].segment);
+    double sum = 0;
+    for (std::size_t k = 0, j = first; k < n && curves_.bezier_of(way[j].segment) == bezier; ++k) {
+      sum += length(way[j].segment);
+      j = IS_FORWARD ? (j + 1) % n : (j + n - 1) % n;
+    }
+    return sum;
+  }
+  [[nodiscard]] Directed_piece directed(const Directed_segment& s) const {
+    return {seen_piece(s.segment), s.is_reversed};
+  }
+  void add_ring(const std::vector<Directed_segment>& way, bool is_outer) {
+    start_ring(is_outer);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const Directed_segment& s = way[i];
+      const Directed_piece p = directed(s);
+      const double sign = s.is_reversed ? -1 : 1;
+      const Directed_segment& next = way[(i + 1) % way.size()];
+      // at the end of an open curve a ring turns round it
+      const bool is_back = s.segment == next.segment && s.is_reversed != next.is_reversed;
+      const double turn = is_back ? -HALF_TURN : turn_of(p, directed(next));
+      add({s.segment, 0, false, s.is_reversed, sign * p.first().t, sign * p.last().t, {}, {}, turn});
+      // round a corner of a short element discs turn all the same
+      const bool is_little = turn > -Boundary_element::ROUNDED_TURN;
+      if (!(turn < 0) || is_smooth(turn, largest_radius()) ||
+          (is_little && is_smooth(turn, (std::min)(reach<false>(way, i), reach<true>(way, i)))))
+        continue;
+      add({s.segment, 0, true, s.is_reversed, 0, -turn, p.last().point, p.tangent(p.last())});
+    }
+  }
+  void add_point(std::uint32_t segment) {
+    start_ring(false);
+    add({segment, 0, true, false, 0, 2 * HALF_TURN, curves_.piece(segment).first.point, {1, 0}});
+  }
 
- private:
   [[nodiscard]] static double coordinate_size_of(const Segment_hierarchy& curves) {
     double size = 0;
     for (std::uint32_t i = 0; i < curves.number_of_beziers(); ++i)
@@ -278,134 +380,16 @@ class Axis_boundary {
 struct Touching_disc {
   Xy<double> center;
   double radius;
+  /// By how much a point is beside its circle.
+  [[nodiscard]] double gap(const Xy<double>& p) const { return std::fabs(euclidean_norm(p - center) - radius); }
+  friend bool operator==(const Touching_disc& a, const Touching_disc& b) {
+    return a.center == b.center && a.radius == b.radius;
+  }
 };
 [[nodiscard]] inline Touching_disc disc_of(const Boundary_jet& p, const Boundary_jet& q) {
   const Xy<double> way = q.point - p.point, n = p.normal(), m = q.normal(), change = n - m;
   const double square = dot(change, change), r = square > 0 ? dot(way, change) / square : 0;
   return {0.5 * ((p.point + r * n) + (q.point + r * m)), r};
-}
-
-// The elements of a boundary from its rings: segments, and corners between them.
-
-/// A spiral segment as a ring goes along it.
-struct Directed_piece {
-  Spiral_piece_2 piece;
-  bool is_reversed;
-  [[nodiscard]] const Spiral_sample& first() const { return is_reversed ? piece.last : piece.first; }
-  [[nodiscard]] const Spiral_sample& last() const { return is_reversed ? piece.first : piece.last; }
-  [[nodiscard]] Xy<double> tangent(const Spiral_sample& end) const { return is_reversed ? -end.tangent : end.tangent; }
-  // Signed: the piece turns to one side.
-  [[nodiscard]] double curvature(const Spiral_sample& end) const {
-    return std::copysign(end.most_curvature / 2 + end.least_curvature / 2, cross(tangent(first()), tangent(last())));
-  }
-};
-
-/// The angle between two elements at their joint. Where the tangent turns back, the sides tell the sign: at the
-/// distance s from the cusp, with the tangent T and normal N before it, the arms are at
-/// -s T + s^2 / 2 kappa N and -s T - s^2 / 2 kappa' N, and the turn is to the left where the second one is.
-[[nodiscard]] inline double turn_of(const Directed_piece& p, const Directed_piece& q) {
-  const Xy<double> in = p.tangent(p.last()), out = q.tangent(q.first());
-  const double turn = std::atan2(cross(in, out), dot(in, out));
-  constexpr double HALF_TURN = 3.14159265358979323846, CUSP = HALF_TURN - 0x1p-20, KNOWN = 4;  // times errors
-  // at ends of curves that were given tangents are known better than where curves cross, or touch
-  const auto is_given = [](const Spiral_sample& s) { return s.t == 0 || s.t == 1; };
-  const double errors = p.last().tangent_error + q.first().tangent_error + TANGENT_ROUNDING,
-               known = is_given(p.last()) && is_given(q.first()) ? HALF_TURN - KNOWN * errors : CUSP;
-  if (std::fabs(turn) < (std::max)(CUSP, known)) return turn;
-  const double sum = p.curvature(p.last()) + q.curvature(q.first());
-  if (sum != 0 && !std::isnan(sum)) return std::copysign(std::fabs(turn), -sum);
-  const Xy<double>&from = p.first().point, &at = p.last().point, &to = q.last().point;
-  return std::copysign(std::fabs(turn), cross(at - from, to - at));
-}
-
-class Axis_boundary_maker {
- public:
-  Axis_boundary_maker(const Bounding_parts& parts, double hidden)
-      : curves_(parts.segments), boundary_(parts.segments, hidden) {
-    for (const Bounding_ring& ring : parts.rings) {
-      std::vector<Directed_segment> way;
-      for (const Directed_segment& s : ring.way)
-        if (is_long(s.segment)) way.push_back(s);
-      if (!way.empty()) add_ring(way, ring.is_outer);
-      else if (is_lone_point(ring.way) || is_dot(ring)) add_point(ring.way.front().segment);
-    }
-  }
-  [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
-
- private:
-  static constexpr double HALF_TURN = 3.14159265358979323846;
-
-  // A curve that is a point has a ring on either side, or one along both. A part without length is none.
-  [[nodiscard]] bool is_lone_point(const std::vector<Directed_segment>& way) const {
-    const std::uint32_t segment = way.front().segment;
-    const auto& points = curves_.bezier(curves_.bezier_of(segment)).control_points();
-    const auto is_it = [&](const Directed_segment& s) { return s.segment == segment; };
-    const auto is_there = [&](const Xy<double>& p) { return p == points.front(); };
-    return !way.front().is_reversed && std::all_of(way.begin(), way.end(), is_it) &&
-           std::all_of(points.begin(), points.end(), is_there);
-  }
-  // A closed curve that is no longer than that is one to what is around it.
-  [[nodiscard]] bool is_dot(const Bounding_ring& ring) const {
-    const auto has_length = [&](const Directed_segment& s) { return length(s.segment) > 0; };
-    return !ring.is_outer && std::any_of(ring.way.begin(), ring.way.end(), has_length);
-  }
-  // Shorter are points, and what is between two cuts that are nearly one.
-  [[nodiscard]] bool is_long(std::uint32_t segment) const { return length(segment) > boundary_.resolution(); }
-  [[nodiscard]] double length(std::uint32_t segment) const {
-    const Spiral_piece_2 p = curves_.piece(segment);
-    return euclidean_norm(p.last.point - p.first.point);
-  }
-  // How far the Bezier piece goes on from the joint behind a segment, there or, backwards, before it.
-  template <bool IS_FORWARD> [[nodiscard]] double reach(const std::vector<Directed_segment>& way, std::size_t i) const {
-    const std::size_t n = way.size(), first = IS_FORWARD ? (i + 1) % n : i;
-    const std::uint32_t bezier = curves_.bezier_of(way[first].segment);
-    double sum = 0;
-    for (std::size_t k = 0, j = first; k < n && curves_.bezier_of(way[j].segment) == bezier; ++k) {
-      sum += length(way[j].segment);
-      j = IS_FORWARD ? (j + 1) % n : (j + n - 1) % n;
-    }
-    return sum;
-  }
-  [[nodiscard]] Directed_piece directed(const Directed_segment& s) const {
-    return {boundary_.seen_piece(s.segment), s.is_reversed};
-  }
-  // At the end of an open curve a ring turns round it.
-  [[nodiscard]] double turn_between(const Directed_segment& s, const Directed_segment& next) const {
-    if (s.segment == next.segment && s.is_reversed != next.is_reversed) return -HALF_TURN;
-    return turn_of(directed(s), directed(next));
-  }
-  void add_ring(const std::vector<Directed_segment>& way, bool is_outer) {
-    boundary_.start_ring(is_outer);
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      const Directed_segment& s = way[i];
-      const Directed_piece p = directed(s);
-      const double sign = s.is_reversed ? -1 : 1;
-      const Directed_segment& next = way[(i + 1) % way.size()];
-      const double turn = turn_between(s, next);
-      boundary_.add({s.segment, 0, false, s.is_reversed, sign * p.first().t, sign * p.last().t, {}, {}, turn});
-      // round a corner of a short element discs turn all the same
-      const bool is_little = turn > -Boundary_element::ROUNDED_TURN;
-      if (!(turn < 0) || boundary_.is_smooth(turn, boundary_.largest_radius()) ||
-          (is_little && boundary_.is_smooth(turn, (std::min)(reach<false>(way, i), reach<true>(way, i)))))
-        continue;
-      boundary_.add({s.segment, 0, true, s.is_reversed, 0, -turn, p.last().point, p.tangent(p.last())});
-    }
-  }
-  void add_point(std::uint32_t segment) {
-    boundary_.start_ring(false);
-    boundary_.add({segment, 0, true, false, 0, 2 * HALF_TURN, curves_.piece(segment).first.point, {1, 0}});
-  }
-
-  const Segment_hierarchy& curves_;
-  Axis_boundary boundary_;
-};
-
-/// \param parts must outlive the boundary
-/// How far curves may be beside what is seen of them, in sizes: two roundings of coordinates.
-inline constexpr double HIDDEN_HEIGHT = 0x1p-45;
-
-[[nodiscard]] inline Axis_boundary axis_boundary(const Bounding_parts& parts, double hidden = HIDDEN_HEIGHT) {
-  return Axis_boundary_maker(parts, hidden).boundary();
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -49,9 +49,7 @@ void for_each_by_place(Index_loop loop, std::size_t at_once, std::size_t count, 
   }
   CGAL::hilbert_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_2<Kernel, Points>(CGAL::make_property_map(points)));
-  loop((count + at_once - 1) / at_once, [&](std::size_t k) {
-    for (std::size_t i = k * at_once; i < (std::min)((k + 1) * at_once, count); ++i) work(order[i]);
-  });
+  for_each_in_turn(loop, at_once, count, [&](std::size_t i) { work(order[i]); });
 }
 
 // Vertices and edges of the axis from the discs and paths of all parts: discs that are one within rounding become one
@@ -84,7 +82,8 @@ class Axis_graph {
     const std::size_t count = joined_.size();
     std::vector<std::size_t> groups;  // roots of discs that are one
     std::vector<bool> is_cut(count, true);
-    for (const Axis_node& node : parts_.nodes) axis.vertices.push_back({node.center, told(node.radius), {}, {}});
+    for (const Axis_node& node : parts_.nodes)
+      axis.vertices.push_back({node.disc.center, told(node.disc.radius), {}, {}});
     for (std::size_t i = 0; i < count; ++i) {
       Medial_axis_2::Vertex& vertex = axis.vertices[root(i)];
       add_touches(parts_.nodes[i], vertex);
@@ -129,18 +128,17 @@ class Axis_graph {
     return euclidean_norm(p - q) <= CLOSE * boundary_.size();
   }
   [[nodiscard]] bool is_short(const Medial_axis_2::Edge& edge) const {
-    const Xy<double>& from = parts_.nodes[edge.from].center;
+    const Xy<double>& from = parts_.nodes[edge.from].disc.center;
     return std::all_of(edge.samples.begin(), edge.samples.end(),
                        [&](const Medial_axis_2::Sample& s) { return is_close(s.center, from); });
   }
   // Each of two discs touches what the other one does, within what centers of discs with close feet may be off by.
   [[nodiscard]] bool are_one(const Axis_node& a, const Axis_node& b) const {
     constexpr double ROUNDING = 128;  // times the resolution
-    if (!is_close(a.center, b.center)) return false;
+    if (!is_close(a.disc.center, b.disc.center)) return false;
     const auto touches = [&](const Axis_node& disc, const Axis_node& other) {
       return std::all_of(other.touches.begin(), other.touches.end(), [&](const Boundary_place& p) {
-        const double d = euclidean_norm(boundary_(p).point - disc.center);
-        return std::fabs(d - disc.radius) <= ROUNDING * boundary_.resolution();
+        return disc.disc.gap(boundary_(p).point) <= ROUNDING * boundary_.resolution();
       });
     };
     return touches(a, b) && touches(b, a);
@@ -174,14 +172,9 @@ class Axis_graph {
     const double twice = 2 * cross(u, v);
     if (twice == 0) return;
     const Xy<double> way = (-1 / twice) * perp(dot(u, u) * v - dot(v, v) * u);
-    const auto miss = [&](const Xy<double>& at, double radius) {
-      double most = 0;
-      for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(p - at) - radius));
-      return most;
-    };
-    const Xy<double> at = a + way;
-    const double radius = euclidean_norm(way);
-    if (miss(at, radius) < miss(vertex.center, vertex.radius)) vertex.center = at, vertex.radius = radius;
+    const Touching_disc disc{a + way, euclidean_norm(way)};
+    if (most_gap(disc, points) < most_gap({vertex.center, vertex.radius}, points))
+      vertex.center = disc.center, vertex.radius = disc.radius;
   }
 
   const Axis_parts& parts_;
@@ -261,7 +254,7 @@ class Axis_builder {
   }
   [[nodiscard]] Xy<double> place_of(std::uint32_t part) const {
     const std::vector<std::uint32_t>& nodes = parts_.parts[part].nodes;
-    return nodes.empty() ? Xy<double>{0, 0} : parts_.nodes[nodes.front()].center;
+    return nodes.empty() ? Xy<double>{0, 0} : parts_.nodes[nodes.front()].disc.center;
   }
   [[nodiscard]] bool can_split(std::uint32_t part, const Axis_branch& branch) const {
     for (std::size_t k = 0; k < branch.arcs.size(); ++k)
@@ -271,7 +264,7 @@ class Axis_builder {
   // A part with a vertex becomes as many as that has arcs: the number of the part is kept by the last one.
   void split(std::uint32_t part, const Axis_branch& branch) {
     const auto node = static_cast<std::uint32_t>(parts_.nodes.size());
-    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.disc.center, branch.disc.radius, branch.feet});
+    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.disc, branch.feet});
     const Axis_part all = parts_.parts[part];
     const std::size_t n = all.arcs.size(), count = branch.arcs.size();
     std::vector<std::uint32_t> behind;

@@ -27,8 +27,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// A disc that touches the boundary from one place on up to another one.
 struct Axis_leaf {
   Boundary_place first, last;
-  Xy<double> center;
-  double radius;
+  Touching_disc disc;
 };
 
 struct Ring_leaves {
@@ -67,7 +66,6 @@ class Leaf_finder {
     Boundary_place place;
     double value, error;
     bool is_corner = false;
-    std::uint32_t next = 0;           // behind a convex corner
     std::optional<Axis_leaf> leaf{};  // of a corner that is rounded
   };
   [[nodiscard]] static bool are_within(const End& a, const End& b, double share) {
@@ -94,7 +92,7 @@ class Leaf_finder {
     }
     if (best == nullptr || !(best->value > 0) || !are_alike(*last, ends.front())) return false;
     const Axis_leaf circle = osculating(*best, ends.front(), *last);
-    const double gap = most_gap({circle.center, circle.radius}, points_between(ends.front().place, ends.back().place));
+    const double gap = most_gap(circle.disc, points_between(ends.front().place, ends.back().place));
     if (!(gap <= most * boundary_.resolution())) return false;
     result.is_circle = true;
     result.circle = circle;
@@ -146,8 +144,8 @@ class Leaf_finder {
   }
   // Whether all points between two ends are on the circle that a leaf there has.
   [[nodiscard]] bool are_on_circle(const End& best, const End& from, const End& to) const {
-    const Axis_leaf leaf = osculating(best, from, to);
-    return most_gap({leaf.center, leaf.radius}, points_between(from.place, to.place)) <= MOST * boundary_.resolution();
+    return most_gap(osculating(best, from, to).disc, points_between(from.place, to.place)) <=
+           MOST * boundary_.resolution();
   }
 
   [[nodiscard]] static bool is_less(const End& a, const End& b) {
@@ -173,9 +171,8 @@ class Leaf_finder {
         ends.push_back(end_at({i, u}));
         if (std::isfinite(ends.back().value)) ends.back().error += bend;
       }
-      if (const auto rounded = rounded_joint(i))
-        ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i), rounded});
-      else if (e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, boundary_.after(i)});
+      const auto rounded = rounded_joint(i);
+      if (rounded || e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, rounded});
     }
     return ends;
   }
@@ -204,10 +201,7 @@ class Leaf_finder {
     }
     return elements;
   }
-  [[nodiscard]] double length(std::uint32_t e) const {
-    const Spiral_piece_2 p = boundary_.curves().piece(boundary_.element(e).segment);
-    return euclidean_norm(p.last.point - p.first.point);
-  }
+  [[nodiscard]] double length(std::uint32_t e) const { return boundary_.length(boundary_.element(e).segment); }
   [[nodiscard]] double reach(std::uint32_t e, bool is_forward) const {
     double sum = 0;
     for (const std::uint32_t i : run(e, is_forward)) sum += length(i);
@@ -237,14 +231,6 @@ class Leaf_finder {
     const Joint joint = joint_at_end_of(e);
     return std::isfinite(joint.difference()) && excess(joint) > 0;
   }
-  struct Only {
-    const Axis_boundary& boundary;
-    std::vector<std::uint32_t> elements;
-    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
-      if (std::find(elements.begin(), elements.end(), e) != elements.end())
-        visit(boundary.element(e).first, boundary.element(e).last);
-    }
-  };
   /// The leaf of a joint at the end of an element, if that turns to the left by little and there is one.
   [[nodiscard]] std::optional<Axis_leaf> rounded_joint(std::uint32_t e) const {
     if (!is_bent(e)) return std::nullopt;
@@ -254,17 +240,19 @@ class Leaf_finder {
     const double v = std::sqrt(excess(joint)), w = std::sqrt(excess(joint) + joint.difference()),
                  s = joint.turn / (v * (v + w));
     const Boundary_place p = place_from_joint(is_own_before ? e : next, !is_own_before, s);
-    const Boundary_jet jet = boundary_(p);
-    const Only others{boundary_, run(is_own_before ? next : e, is_own_before)};
-    Disc_search<Only> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
-    for (const std::uint32_t other : others.elements)
-      search.look_at_part(other, boundary_.element(other).first, boundary_.element(other).last);
+    const std::vector<std::uint32_t> beyond = run(is_own_before ? next : e, is_own_before);
+    const auto others = [&](std::uint32_t i, const auto& visit) {
+      if (std::find(beyond.begin(), beyond.end(), i) != beyond.end())
+        visit(boundary_.element(i).first, boundary_.element(i).last);
+    };
+    Disc_search search(boundary_, others, boundary_(p), boundary_.largest_radius());
+    for (const std::uint32_t i : beyond) search.look_at_part(i, boundary_.element(i).first, boundary_.element(i).last);
     search.finish();
     const Boundary_place q = search.place();
     const Xy<double> at = boundary_({e, boundary_.element(e).last}).point;
     // what is beyond is nearer, in another disc
     if (!search.is_found() || !(euclidean_norm(boundary_(q).point - at) <= 2 * s)) return std::nullopt;
-    const Axis_leaf leaf{is_own_before ? p : q, is_own_before ? q : p, search.center(), search.radius()};
+    const Axis_leaf leaf{is_own_before ? p : q, is_own_before ? q : p, search.disc()};
     double most = 0;  // curvature of the elements with both touches, and of those between
     for (std::uint32_t i = leaf.first.element;; i = boundary_.after(i)) {
       for (const double u : {boundary_.element(i).first, boundary_.element(i).last})
@@ -272,7 +260,7 @@ class Leaf_finder {
       if (i == leaf.last.element) break;
     }
     // where they bend more elsewhere the joint is no leaf, or nothing beside that
-    return most * leaf.radius <= 1 && is_empty(leaf) ? std::optional(leaf) : std::nullopt;
+    return most * leaf.disc.radius <= 1 && is_empty(leaf) ? std::optional(leaf) : std::nullopt;
   }
   /// The place on a Bezier piece at a distance from a joint; in the middle of its last element at most.
   [[nodiscard]] Boundary_place place_from_joint(std::uint32_t e, bool is_forward, double distance) const {
@@ -305,7 +293,7 @@ class Leaf_finder {
       const Touching_disc fit = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
       if (std::fabs(fit.radius - r) <= r * (std::max)(ALIKE, best.error / best.value)) disc = fit;
     }
-    return {from.place, to.place, disc.center, disc.radius};
+    return {from.place, to.place, disc};
   }
   [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {
     std::vector<Xy<double>> points{boundary_(from).point};
@@ -326,12 +314,14 @@ class Leaf_finder {
 
   void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) const {
     if (from.is_corner) {
-      const Boundary_place behind{from.next, boundary_.element(from.next).first};
-      leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, boundary_(from.place).point, 0});
+      const std::uint32_t next = boundary_.after(from.place.element);
+      const Boundary_place behind{next, boundary_.element(next).first};
+      leaves.push_back(from.leaf ? *from.leaf : Axis_leaf{from.place, behind, {boundary_(from.place).point, 0}});
       return;
     }
     const Axis_leaf leaf = osculating(best, from, to);
-    if (leaf.radius == 0 || (leaf.radius < boundary_.largest_radius() && is_empty(leaf))) leaves.push_back(leaf);
+    if (leaf.disc.radius == 0 || (leaf.disc.radius < boundary_.largest_radius() && is_empty(leaf)))
+      leaves.push_back(leaf);
   }
 
   // What falls off from the largest curvature stays outside of the disc (Kneser), however many elements it runs
@@ -339,7 +329,7 @@ class Leaf_finder {
   struct All_but {
     const Axis_boundary& boundary;
     std::uint32_t first, last;  // elements, in order around the ring
-    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+    template <class Visit> void operator()(std::uint32_t e, const Visit& visit) const {
       const Boundary_element& element = boundary.element(e);
       // the other side of a part is where this one is
       if (!is_between(e) && !is_between(boundary.back_of(e))) visit(element.first, element.last);
@@ -379,8 +369,7 @@ class Leaf_finder {
   [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
     const All_but others = others_of(leaf);
     const auto is_empty_from = [&](const Boundary_place& p) {
-      const Boundary_jet jet = boundary_(p);
-      Disc_search<All_but> search(boundary_, others, jet.point, jet.normal(), leaf.radius);
+      Disc_search search(boundary_, others, boundary_(p), leaf.disc.radius);
       search.search();
       return !search.is_found();
     };

@@ -39,8 +39,7 @@ enum class Axis_node_kind : std::uint8_t { LEAF, BRANCH, CUT };
 /// A maximal disc.
 struct Axis_node {
   Axis_node_kind kind;
-  Xy<double> center;
-  double radius;
+  Touching_disc disc;
   std::vector<Boundary_place> touches;
 };
 
@@ -81,9 +80,6 @@ class Axis_parts {
       fragments_.push_back({arc, first_[e], u0, u1});
       first_[e] = static_cast<std::uint32_t>(fragments_.size() - 1);
     });
-  }
-  void add_all_fragments() {
-    for (std::uint32_t i = 0; i < arcs.size(); ++i) add_fragments(i);
   }
   /// Cuts an arc in two; neither begins or ends in an element that it has only an end of, unless that is all of it.
   /// \return the number of what is behind the cut; what is before it keeps its number
@@ -144,16 +140,14 @@ class Axis_parts {
     return !(k == 0 && p.u < arc.from.u) && !(k + 1 == count && p.u > arc.to.u);
   }
 
-  /// What discs that touch one arc of a part may touch: the other ones, or one of them.
+  /// What discs that touch one arc of a part may touch: the other ones.
   struct Others {
     const Axis_parts& parts;
     std::uint32_t part, own;
-    std::uint32_t only = NONE;
-    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+    template <class Visit> void operator()(std::uint32_t e, const Visit& visit) const {
       for (std::uint32_t f = parts.first_[e]; f != NONE; f = parts.fragments_[f].next) {
         const Fragment& fragment = parts.fragments_[f];
         if (fragment.arc == own || (part != NONE && parts.arcs[fragment.arc].part != part)) continue;
-        if (only != NONE && fragment.arc != only) continue;
         visit(fragment.u0, fragment.u1);
       }
     }
@@ -166,17 +160,14 @@ class Axis_parts {
     constexpr std::uint32_t FEW = 32;
     constexpr std::size_t MANY = 1024;
     std::uint32_t count = 0;
-    const auto is_other = [&](std::uint32_t arc) {
-      return arc != others.own && (others.only == NONE || arc == others.only);
-    };
     for (const std::uint32_t arc : parts[others.part].arcs) {
-      if (is_other(arc)) count += length(arcs[arc]);
+      if (arc != others.own) count += length(arcs[arc]);
       if (count > FEW) break;
     }
     if (count > FEW && boundary_.elements().size() > MANY) seed(search, others);
     if (count > FEW) return search.search();
     for (const std::uint32_t arc : parts[others.part].arcs)
-      if (is_other(arc))
+      if (arc != others.own)
         for_each_element(arcs[arc], [&](std::uint32_t e, double u0, double u1) { search.look_at_part(e, u0, u1); });
     search.finish();
   }
@@ -185,8 +176,7 @@ class Axis_parts {
     Search all = search.among(any);
     all.search();
     if (!all.is_found()) return;
-    const std::uint32_t arc = arc_of(others.part, others.own, all.place());
-    if (arc != NONE && (others.only == NONE || others.only == arc)) search.start_from(all.place());
+    if (arc_of(others.part, others.own, all.place()) != NONE) search.start_from(all.place());
   }
   /// The arc of a part, or of any, that has a place, other than `own`: one that goes on there rather than one that is
   /// just the point.

@@ -66,23 +66,23 @@ class Axis_path {
           partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b), partner_of_ = i;
         const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_.place);
         q = on(b_[j], partner_, k, j);
-        gap_a = k >= j ? -1 : gap(q, partner_.disc);
+        gap_a = k >= j ? -1 : partner_.disc.gap(boundary_(q).point);
       }
       if (j > 0 && gap_a >= 0) {
         const Partner partner = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
         const std::size_t k = parts_.steps(parts_.arcs[arc_a_], partner.place);
         p = on(a_[i], partner, k, i);
-        gap_b = k == i ? -1 : gap(p, partner.disc);
+        gap_b = k == i ? -1 : partner.disc.gap(boundary_(p).point);
       }
       // discs at ends of elements that turn to the left by little are in what is beyond, by as much on either side
       const double most = ROUNDING * boundary_.resolution() + 2 * boundary_.largest_rounded_turn() * last.sample.radius;
       if ((std::min)(gap_a, gap_b) > most) has_failed_ = true;
       if (gap_a <= gap_b) {
-        go_to(facing<true>({a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
+        go_to(facing(true, {a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
         ++i;
         last = state({a_[i].element, a_[i].u0}, last.sample.b);
       } else {
-        go_to(facing<false>({b_[j].element, b_[j].u0}, p, a_[i].u0, a_[i].u1));
+        go_to(facing(false, {b_[j].element, b_[j].u0}, p, a_[i].u0, a_[i].u1));
         --j;
         last = state(last.sample.a, {b_[j].element, b_[j].u1});
       }
@@ -149,22 +149,20 @@ class Axis_path {
     return jet;
   }
   Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
-    const Boundary_jet jet = with_middle_tangent(p);
-    const Axis_parts::Others others{parts_, part_, own, other};
-    Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
+    const Axis_parts::Others others{parts_, part_, own};
+    Axis_parts::Search search(boundary_, others, with_middle_tangent(p), most_);
     search.start_from(near);
     parts_.run(search, others);
-    if (search.is_found()) return {search.place(), {search.center(), search.radius()}};
+    if (search.is_found()) return {search.place(), search.disc()};
     // beside the feet of an end's disc, on a line that leaves a corner, rounding may leave nothing in any disc
     for (const bool is_start : {false, true}) {
-      const Axis_node& node = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]];
-      const Touching_disc disc{node.center, node.radius};
-      if (gap(p, disc) > ROUNDING * boundary_.resolution()) continue;
+      const Touching_disc& disc = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]].disc;
+      if (disc.gap(boundary_(p).point) > ROUNDING * boundary_.resolution()) continue;
       const Boundary_arc& arc = parts_.arcs[other];
       return {is_start == (other == arc_a_) ? arc.from : arc.to, disc};
     }
     has_failed_ = true;
-    return {parts_.arcs[other].from, {search.center(), search.radius()}};
+    return {parts_.arcs[other].from, search.disc()};
   }
   // A partner, or the end of a piece that it is beyond. The disc touches that as well, where it is so by rounding
   // alone.
@@ -172,9 +170,6 @@ class Axis_path {
                                          std::size_t wanted) {
     if (of == wanted) return {piece.element, std::clamp(partner.place.u, piece.u0, piece.u1)};
     return {piece.element, of < wanted ? piece.u0 : piece.u1};
-  }
-  [[nodiscard]] double gap(const Boundary_place& p, const Touching_disc& disc) const {
-    return std::fabs(euclidean_norm(boundary_(p).point - disc.center) - disc.radius);
   }
 
   State state(const Boundary_place& a, const Boundary_place& b) const {
@@ -199,7 +194,7 @@ class Axis_path {
   }
   // At the part's own discs, whose radius is known better than two feet next to each other tell it.
   State end(const Boundary_place& a, const Boundary_place& b, std::size_t node) const {
-    const Axis_node& disc = parts_.nodes[parts_.parts[part_].nodes[node]];
+    const Touching_disc& disc = parts_.nodes[parts_.parts[part_].nodes[node]].disc;
     return with({a, b, disc.center, disc.radius}, boundary_(a), boundary_(b));
   }
 
@@ -224,10 +219,10 @@ class Axis_path {
     const double on_a = std::fabs(t.sample.a.u - s.sample.a.u) * (std::max)(s.speed_a, t.speed_a),
                  on_b = std::fabs(t.sample.b.u - s.sample.b.u) * (std::max)(s.speed_b, t.speed_b);
     const bool is_half_of_a = halves_a(s.sample, on_a, on_b);
-    State middle = is_half_of_a ? between<true>(s, t) : between<false>(s, t);
+    State middle = between(is_half_of_a, s, t);
     // the other foot may be beyond a joint that is rounded off
     if (boundary_.turn_to_middle(is_half_of_a ? middle.sample.b : middle.sample.a) != 0)
-      middle = is_half_of_a ? between<false>(s, t) : between<true>(s, t);
+      middle = between(!is_half_of_a, s, t);
     if (!(middle.sample.radius > 0)) {
       if (!are_at_one_point(s.sample, t.sample)) has_failed_ = true;
       return;
@@ -255,23 +250,22 @@ class Axis_path {
     return boundary_.element(a).is_corner ? !(on_b > 0) : on_a >= on_b;
   }
   // The disc half way along one of the arcs, by Newton's method on the other one.
-  template <bool IS_HALF_OF_A> [[nodiscard]] State between(const State& s, const State& t) const {
-    const Boundary_place &from = IS_HALF_OF_A ? s.sample.a : s.sample.b, &to = IS_HALF_OF_A ? t.sample.a : t.sample.b;
-    const Boundary_place &start = IS_HALF_OF_A ? s.sample.b : s.sample.a,
-                         &stop = IS_HALF_OF_A ? t.sample.b : t.sample.a;
+  [[nodiscard]] State between(bool is_half_of_a, const State& s, const State& t) const {
+    const Boundary_place &from = is_half_of_a ? s.sample.a : s.sample.b, &to = is_half_of_a ? t.sample.a : t.sample.b;
+    const Boundary_place &start = is_half_of_a ? s.sample.b : s.sample.a,
+                         &stop = is_half_of_a ? t.sample.b : t.sample.a;
     const Boundary_place p{from.element, 0.5 * (from.u + to.u)};
     const double low = (std::min)(start.u, stop.u), high = (std::max)(start.u, stop.u);
-    const auto rate = [](const State& x) {
-      const double r = IS_HALF_OF_A ? x.rate_a / x.rate_b : x.rate_b / x.rate_a;
+    const auto rate = [&](const State& x) {
+      const double r = is_half_of_a ? x.rate_a / x.rate_b : x.rate_b / x.rate_a;
       return std::isfinite(r) ? -r : 0;
     };
     const double middle = 0.5 * (start.u + stop.u), guess = middle + (to.u - from.u) / 8 * (rate(s) - rate(t));
     const Boundary_place q{start.element, low < guess && guess < high ? guess : middle};
-    return facing<IS_HALF_OF_A>(p, q, low, high);
+    return facing(is_half_of_a, p, q, low, high);
   }
-  // The disc that touches at p, on the first arc if IS_OF_A, and in a range of the other one.
-  template <bool IS_OF_A>
-  [[nodiscard]] State facing(const Boundary_place& p, Boundary_place q, double low, double high) const {
+  // The disc that touches at p, on the first arc if is_of_a, and in a range of the other one.
+  [[nodiscard]] State facing(bool is_of_a, const Boundary_place& p, Boundary_place q, double low, double high) const {
     const Boundary_jet fixed = with_middle_tangent(p);
     Boundary_jet moving = boundary_(q);
     constexpr int MOST_STEPS = 60;
@@ -293,7 +287,7 @@ class Axis_path {
       moving = boundary_(q);
       if (is_newton && change <= settled && std::fabs(moving.turn) * change <= 2 * SETTLED) break;
     }
-    State s = IS_OF_A ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
+    State s = is_of_a ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
     const bool is_at_end = !(low < high) || q.u == low || q.u == high;
     // a joint has two normals, of which its disc may have any
     if (boundary_.turn_to_middle(p) != 0 && boundary_.turn_to_middle(q) == 0) touch(s.sample, moving, fixed, true);

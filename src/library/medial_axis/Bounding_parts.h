@@ -17,17 +17,15 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 /// A segment in its direction or against it.
 struct Directed_segment {
   std::uint32_t segment = 0;
   bool is_reversed = false;
+  /// Sides of segments are numbered through.
+  [[nodiscard]] std::uint32_t side() const { return 2 * segment + (is_reversed ? 1 : 0); }
 };
-
-}  // namespace CGAL::Bounding_arcs
-
-namespace CGAL::Bounding_arcs::internal {
 
 /// A closed way along parts of curves, with a region on its left.
 struct Bounding_ring {

@@ -24,119 +24,11 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-// All arcs of a part that a disc touches within rounding, and the one disc that touches them all.
-//
-// Where many discs are nearly equal, any three arcs have one, which may miss the others by a multiple of the rounding.
-// They are one vertex: the arcs near a first disc are collected, a disc is fitted to what is nearest of them, and arcs
-// that it misses are left out until it touches all the rest.
-
 /// A disc with the arcs that it touches.
 struct Axis_branch {
   std::vector<std::uint32_t> arcs;  ///< positions in the part, rising
   std::vector<Boundary_place> feet;
   Touching_disc disc;
-};
-
-class Touch_finder {
- public:
-  Touch_finder(const Axis_parts& parts, std::uint32_t part) : parts_(parts), boundary_(parts.boundary()), part_(part) {}
-
-  /// \param near a disc that touches three arcs, as far as is known of them
-  /// \return nothing where it touches no more than three, or none touches them
-  [[nodiscard]] std::optional<Axis_branch> find(const Touching_disc& near) const {
-    constexpr double CLOSE = 0x1p-32;  // of the size: what three close feet may make of rounding
-    constexpr int MOST_ROUNDS = 8;
-    std::vector<Touch> touches = touches_of(near, CLOSE * boundary_.size());
-    Touching_disc disc = near;
-    for (int round = 0; round < MOST_ROUNDS && touches.size() > 3; ++round) {
-      std::vector<Xy<double>> points;
-      for (const Touch& t : touches) points.push_back(t.point);
-      disc = fitted(disc, points, 0);
-      const double gap = most_gap(disc, points);
-      const double room = 4 * boundary_.resolution();
-      if (gap <= room) return touched(disc, room);
-      const auto misses = [&](const Touch& t) {
-        return std::fabs(euclidean_norm(t.point - disc.center) - disc.radius) > (std::max)(room, gap / 2);
-      };
-      touches.erase(std::remove_if(touches.begin(), touches.end(), misses), touches.end());
-    }
-    return std::nullopt;
-  }
-
- private:
-  struct Touch {
-    std::uint32_t position;
-    Boundary_place place;
-    Xy<double> point;
-    double gap;
-  };
-
-  // Once more with the disc as it is now, whose feet are not quite the same.
-  [[nodiscard]] std::optional<Axis_branch> touched(const Touching_disc& disc, double room) const {
-    Closest_search search(boundary_.curves(), disc.center, disc.radius - 2 * room);
-    search.search();
-    if (search.result()) return std::nullopt;
-    std::vector<Touch> touches = touches_of(disc, 2 * room);
-    if (touches.size() < 4) return std::nullopt;
-    Axis_branch result{{}, {}, disc};
-    for (const Touch& t : touches) result.arcs.push_back(t.position), result.feet.push_back(t.place);
-    return result;
-  }
-
-  // The places next to the disc, one of each arc that is no farther away, by the positions of arcs.
-  [[nodiscard]] std::vector<Touch> touches_of(const Touching_disc& disc, double room) const {
-    std::vector<Touch> all;
-    const double most = (disc.radius + room) * (disc.radius + room);
-    const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
-      return squared_distance(disc.center, node, k) <= most;
-    };
-    for_each_item(boundary_.curves().boxes(), is_near, [&](const Box_tree::Node& node, std::size_t k) {
-      look_at(node.child[k], disc, room, all);
-      return true;
-    });
-    std::sort(all.begin(), all.end(), [](const Touch& a, const Touch& b) {
-      return a.position != b.position ? a.position < b.position : a.gap < b.gap;
-    });
-    const auto is_same = [](const Touch& a, const Touch& b) { return a.position == b.position; };
-    all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
-    return all;
-  }
-  void look_at(std::uint32_t segment, const Touching_disc& disc, double room, std::vector<Touch>& all) const {
-    if (distance_bounds(disc.center, boundary_.curves().region(segment)).lower > disc.radius + room) return;
-    boundary_.for_each_element_of(segment, [&](std::uint32_t e) { look_at_element(e, disc, room, all); });
-  }
-  void look_at_element(std::uint32_t e, const Touching_disc& disc, double room, std::vector<Touch>& all) const {
-    const Axis_parts::Others ranges{parts_, part_, Axis_parts::NONE};
-    ranges.for_each(e, [&](double u0, double u1) {
-      const std::optional<Boundary_place> p = foot(e, u0, u1, disc, room);
-      if (!p) return;
-      const Boundary_jet jet = boundary_(*p);
-      const Xy<double> way = disc.center - jet.point;
-      const double gap = std::fabs(euclidean_norm(way) - disc.radius);
-      // touched from inside
-      if (gap > room || !(dot(way, jet.normal()) > 0)) return;
-      const std::uint32_t arc = parts_.arc_of(part_, Axis_parts::NONE, *p);
-      if (arc != Axis_parts::NONE) all.push_back({parts_.arcs[arc].position, *p, jet.point, gap});
-    });
-  }
-  [[nodiscard]] std::optional<Boundary_place> foot(std::uint32_t e, double u0, double u1, const Touching_disc& disc,
-                                                   double room) const {
-    const Boundary_element& element = boundary_.element(e);
-    const Segment_hierarchy& curves = boundary_.curves();
-    if (element.is_corner)
-      return Boundary_place{e, std::clamp(boundary_.angle_of(e, disc.center - element.point), u0, u1)};
-    if (!(u0 < u1)) return Boundary_place{e, u0};
-    const Spiral_piece_2 piece = boundary_.piece(e, u0, u1);
-    Closest_search search(curves, disc.center, disc.radius + 2 * room);
-    search.look_at(piece, curves.region(piece));
-    const auto found = search.result();
-    if (!found) return std::nullopt;
-    return boundary_.place(e, std::clamp(found->place.t, piece.first.t, piece.last.t));
-  }
-
-  const Axis_parts& parts_;
-  const Axis_boundary& boundary_;
-  std::uint32_t part_;
 };
 
 class Branch_finder {
@@ -177,27 +69,23 @@ class Branch_finder {
     const Boundary_arc& arc = parts_.arcs[part.arcs[own_]];
     const std::uint32_t after = (own_ + 1) % n, before = (own_ + n - 1) % n;
     double low = 0, high = parts_.length(arc);
-    const auto disc = [&](std::uint32_t node) {
-      return Touching_disc{parts_.nodes[node].center, parts_.nodes[node].radius};
-    };
-    Side from{before, parts_.arcs[part.arcs[before]].to, disc(part.nodes[before])},
-        to{after, parts_.arcs[part.arcs[after]].from, disc(part.nodes[own_])};
+    Side from{before, parts_.arcs[part.arcs[before]].to, parts_.nodes[part.nodes[before]].disc},
+        to{after, parts_.arcs[part.arcs[after]].from, parts_.nodes[part.nodes[own_]].disc};
     constexpr int MOST_STEPS = 120;  // elements, then bits of a parameter
     for (int step = 0; step < MOST_STEPS; ++step) {
       const double middle = low + (high - low) / 2;
       const Boundary_place p = place(arc, middle);
       if (const auto branch = newton(p, from, to)) return branch;
       if (!(low < middle && middle < high)) break;
-      const Boundary_jet jet = boundary_(p);
       const Axis_parts::Others others{parts_, part_, part.arcs[own_]};
-      Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
+      Axis_parts::Search search(boundary_, others, boundary_(p), most_);
       search.start_from(from.foot);
       search.start_from(to.foot);
       parts_.run(search, others);
       const std::uint32_t found =
           search.is_found() ? parts_.arc_of(part_, part.arcs[own_], search.place()) : Axis_parts::NONE;
       if (found == Axis_parts::NONE) return std::nullopt;
-      const Side side{parts_.arcs[found].position, search.place(), {search.center(), search.radius()}};
+      const Side side{parts_.arcs[found].position, search.place(), search.disc()};
       // any of the jumps would do; one between both halves of the part leaves less to be cut again
       if ((side.position + n - own_) % n <= n / 2) high = middle, to = side;
       else low = middle, from = side;
@@ -229,9 +117,17 @@ class Branch_finder {
   }
 
   struct Foot_of_disc {
+    std::uint32_t position;
     const Boundary_arc* arc;
     Boundary_place place;
   };
+  using Feet = std::array<Foot_of_disc, 3>;
+  [[nodiscard]] Feet feet_of(const Boundary_place& p, const Side& from, const Side& to) const {
+    const auto foot = [&](std::uint32_t position, const Boundary_place& place) {
+      return Foot_of_disc{position, &parts_.arcs[parts_.parts[part_].arcs[position]], place};
+    };
+    return {foot(own_, p), foot(to.position, to.foot), foot(from.position, from.foot)};
+  }
   // One of Newton's steps for the point of an arc next to a center; it may go on to a neighbouring element.
   // \return whether it is a nearest point
   bool step_to(const Xy<double>& center, Foot_of_disc& foot) const {
@@ -258,10 +154,7 @@ class Branch_finder {
   }
 
   [[nodiscard]] std::optional<Axis_branch> newton(const Boundary_place& p, const Side& from, const Side& to) const {
-    const Axis_part& part = parts_.parts[part_];
-    const auto arc = [&](std::uint32_t i) { return &parts_.arcs[part.arcs[i]]; };
-    std::array<Foot_of_disc, 3> feet{
-        Foot_of_disc{arc(own_), p}, {arc(to.position), to.foot}, {arc(from.position), from.foot}};
+    Feet feet = feet_of(p, from, to);
     Touching_disc disc{0.5 * (from.disc.center + to.disc.center), 0.5 * (from.disc.radius + to.disc.radius)};
     double last = HUGE_VAL;
     constexpr int MOST_STEPS = 24;
@@ -297,15 +190,13 @@ class Branch_finder {
           size <= 4 * HALF_ULP * boundary_.size() || (size >= last && last <= boundary_.resolution());
       disc = {disc.center + change, distance[0] + dot(direction[0], change)};
       last = size;
-      if (is_settled || (step + 1 == MOST_STEPS && size <= boundary_.resolution()))
-        return checked(feet, disc, from, to);
+      if (is_settled || (step + 1 == MOST_STEPS && size <= boundary_.resolution())) return checked(feet, disc);
     }
     return std::nullopt;
   }
 
   // Whether the disc is one of the part's: its feet on the arcs, and nothing in it.
-  [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Touching_disc& disc,
-                                                   const Side& from, const Side& to) const {
+  [[nodiscard]] std::optional<Axis_branch> checked(Feet& feet, const Touching_disc& disc) const {
     const auto& [center, radius] = disc;
     const double room = 8 * boundary_.resolution() + 0x1p-44 * radius;
     if (!(radius > room)) return std::nullopt;  // a point where curves meet, which several arcs come to
@@ -314,37 +205,36 @@ class Branch_finder {
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
       const Boundary_jet jet = boundary_(foot.place);
       const Xy<double> way = center - jet.point;
-      if (!(std::fabs(euclidean_norm(way) - radius) <= room)) return std::nullopt;
+      if (!(disc.gap(jet.point) <= room)) return std::nullopt;
       // the end of an arc, at a convex corner, from beyond
       constexpr double SLANTING = 0x1p-10;
       if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
         return std::nullopt;
     }
-    if (is_outside_of_tip(feet, {own_, to.position, from.position}, radius)) return std::nullopt;
+    if (is_outside_of_tip(feet, radius)) return std::nullopt;
     Closest_search search(boundary_.curves(), center, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
     if (auto joined = joined_at(disc)) return joined;
-    return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, disc);
+    return in_order(feet, disc);
   }
 
   // Whether a disc touches both sides of a sharp tip there, from outside: within, it would be smaller than its distance
   // from the tip. Where sides have one tangent, rounding does not tell which of them is before the other. A disc that
   // touches two corners is at the mouth of what is between them, where it may be large.
-  [[nodiscard]] bool is_outside_of_tip(const std::array<Foot_of_disc, 3>& feet,
-                                       const std::array<std::uint32_t, 3>& positions, double radius) const {
+  [[nodiscard]] bool is_outside_of_tip(const Feet& feet, double radius) const {
     const Axis_part& part = parts_.parts[part_];
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (positions[k] != (positions[i] + 1) % part.arcs.size()) continue;
-        const Axis_node& node = parts_.nodes[part.nodes[positions[i]]];
-        if (node.kind != Axis_node_kind::LEAF || node.radius != 0) continue;
-        if (dot(boundary_(feet[i].arc->to).tangent, boundary_(feet[k].arc->from).tangent) > 0) continue;
+    for (const Foot_of_disc& before : feet)
+      for (const Foot_of_disc& behind : feet) {
+        if (behind.position != (before.position + 1) % part.arcs.size()) continue;
+        const Axis_node& node = parts_.nodes[part.nodes[before.position]];
+        if (node.kind != Axis_node_kind::LEAF || node.disc.radius != 0) continue;
+        if (dot(boundary_(before.arc->to).tangent, boundary_(behind.arc->from).tangent) > 0) continue;
         constexpr double NEAR = 0.25;
         const auto is_near = [&](const Foot_of_disc& foot) {
-          return euclidean_norm(boundary_(foot.place).point - node.center) < NEAR * radius;
+          return euclidean_norm(boundary_(foot.place).point - node.disc.center) < NEAR * radius;
         };
-        if (is_near(feet[i]) && is_near(feet[k]) && !are_apart(feet[i].place, feet[k].place)) return true;
+        if (is_near(before) && is_near(behind) && !are_apart(before.place, behind.place)) return true;
       }
     return false;
   }
@@ -362,21 +252,109 @@ class Branch_finder {
       if (auto joined = joined_at(side->disc)) return joined;
     for (const Side* side : {&to, &from}) {
       const Side& other = side == &to ? from : to;
-      const double d = euclidean_norm(boundary_(other.foot).point - side->disc.center);
-      if (std::fabs(d - side->disc.radius) <= ROOM * boundary_.resolution())
-        return in_order({own_, to.position, from.position}, {p, to.foot, from.foot}, side->disc);
+      if (side->disc.gap(boundary_(other.foot).point) <= ROOM * boundary_.resolution())
+        return in_order(feet_of(p, from, to), side->disc);
     }
     return std::nullopt;
   }
-  // The vertex of more than three arcs about a disc.
-  [[nodiscard]] std::optional<Axis_branch> joined_at(const Touching_disc& disc) const {
-    return is_joining_ ? Touch_finder(parts_, part_).find(disc) : std::nullopt;
+  [[nodiscard]] static Axis_branch in_order(Feet feet, const Touching_disc& disc) {
+    std::sort(feet.begin(), feet.end(),
+              [](const Foot_of_disc& a, const Foot_of_disc& b) { return a.position < b.position; });
+    Axis_branch branch{{}, {}, disc};
+    for (const Foot_of_disc& foot : feet) branch.arcs.push_back(foot.position), branch.feet.push_back(foot.place);
+    return branch;
   }
-  [[nodiscard]] static Axis_branch in_order(std::array<std::uint32_t, 3> arcs, std::array<Boundary_place, 3> feet,
-                                            const Touching_disc& disc) {
-    for (const std::size_t i : {0U, 1U, 0U})
-      if (arcs[i] > arcs[i + 1]) std::swap(arcs[i], arcs[i + 1]), std::swap(feet[i], feet[i + 1]);
-    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, disc};
+
+  // All arcs of a part that a disc touches within rounding, and the one disc that touches them all.
+  //
+  // Where many discs are nearly equal, any three arcs have one, which may miss the others by a multiple of the
+  // rounding. They are one vertex: the arcs near a first disc are collected, a disc is fitted to what is nearest of
+  // them, and arcs that it misses are left out until it touches all the rest.
+
+  // \param near a disc that touches three arcs, as far as is known of them
+  // \return nothing where it touches no more than three, or none touches them
+  [[nodiscard]] std::optional<Axis_branch> joined_at(const Touching_disc& near) const {
+    if (!is_joining_) return std::nullopt;
+    constexpr double CLOSE = 0x1p-32;  // of the size: what three close feet may make of rounding
+    constexpr int MOST_ROUNDS = 8;
+    std::vector<Touch> touches = touches_of(near, CLOSE * boundary_.size());
+    Touching_disc disc = near;
+    for (int round = 0; round < MOST_ROUNDS && touches.size() > 3; ++round) {
+      std::vector<Xy<double>> points;
+      for (const Touch& t : touches) points.push_back(t.point);
+      disc = fitted(disc, points, 0);
+      const double gap = most_gap(disc, points);
+      const double room = 4 * boundary_.resolution();
+      if (gap <= room) return touched(disc, room);
+      const auto misses = [&](const Touch& t) { return disc.gap(t.point) > (std::max)(room, gap / 2); };
+      touches.erase(std::remove_if(touches.begin(), touches.end(), misses), touches.end());
+    }
+    return std::nullopt;
+  }
+  struct Touch {
+    std::uint32_t position;
+    Boundary_place place;
+    Xy<double> point;
+    double gap;
+  };
+
+  // Once more with the disc as it is now, whose feet are not quite the same.
+  [[nodiscard]] std::optional<Axis_branch> touched(const Touching_disc& disc, double room) const {
+    Closest_search search(boundary_.curves(), disc.center, disc.radius - 2 * room);
+    search.search();
+    if (search.result()) return std::nullopt;
+    std::vector<Touch> touches = touches_of(disc, 2 * room);
+    if (touches.size() < 4) return std::nullopt;
+    Axis_branch result{{}, {}, disc};
+    for (const Touch& t : touches) result.arcs.push_back(t.position), result.feet.push_back(t.place);
+    return result;
+  }
+
+  // The places next to the disc, one of each arc that is no farther away, by the positions of arcs.
+  [[nodiscard]] std::vector<Touch> touches_of(const Touching_disc& disc, double room) const {
+    std::vector<Touch> all;
+    const double most = (disc.radius + room) * (disc.radius + room);
+    const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
+      return squared_distance(disc.center, node, k) <= most;
+    };
+    for_each_item(boundary_.curves().boxes(), is_near, [&](const Box_tree::Node& node, std::size_t k) {
+      if (distance_bounds(disc.center, boundary_.curves().region(node.child[k])).lower <= disc.radius + room)
+        boundary_.for_each_element_of(node.child[k], [&](std::uint32_t e) { look_at(e, disc, room, all); });
+      return true;
+    });
+    std::sort(all.begin(), all.end(), [](const Touch& a, const Touch& b) {
+      return a.position != b.position ? a.position < b.position : a.gap < b.gap;
+    });
+    const auto is_same = [](const Touch& a, const Touch& b) { return a.position == b.position; };
+    all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+    return all;
+  }
+  void look_at(std::uint32_t e, const Touching_disc& disc, double room, std::vector<Touch>& all) const {
+    const Axis_parts::Others ranges{parts_, part_, Axis_parts::NONE};
+    ranges(e, [&](double u0, double u1) {
+      const std::optional<Boundary_place> p = foot(e, u0, u1, disc, room);
+      if (!p) return;
+      const Boundary_jet jet = boundary_(*p);
+      const double gap = disc.gap(jet.point);
+      // touched from inside
+      if (gap > room || !(dot(disc.center - jet.point, jet.normal()) > 0)) return;
+      const std::uint32_t arc = parts_.arc_of(part_, Axis_parts::NONE, *p);
+      if (arc != Axis_parts::NONE) all.push_back({parts_.arcs[arc].position, *p, jet.point, gap});
+    });
+  }
+  [[nodiscard]] std::optional<Boundary_place> foot(std::uint32_t e, double u0, double u1, const Touching_disc& disc,
+                                                   double room) const {
+    const Boundary_element& element = boundary_.element(e);
+    const Segment_hierarchy& curves = boundary_.curves();
+    if (element.is_corner)
+      return Boundary_place{e, std::clamp(boundary_.angle_of(e, disc.center - element.point), u0, u1)};
+    if (!(u0 < u1)) return Boundary_place{e, u0};
+    const Spiral_piece_2 piece = boundary_.piece(e, u0, u1);
+    Closest_search search(curves, disc.center, disc.radius + 2 * room);
+    search.look_at(piece, curves.region(piece));
+    const auto found = search.result();
+    if (!found) return std::nullopt;
+    return boundary_.place(e, std::clamp(found->place.t, piece.first.t, piece.last.t));
   }
 
   const Axis_parts& parts_;

@@ -24,14 +24,14 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// \tparam Ranges for_each(element, visit) calls visit(u0, u1) for each part of an element that counts
+/// \tparam Ranges ranges(element, visit) calls visit(u0, u1) for each part of an element that counts
 template <class Ranges> class Disc_search {
  public:
+  /// \param at where discs touch
   /// \param most the radius to begin with
-  Disc_search(const Axis_boundary& boundary, const Ranges& ranges, const Xy<double>& p, const Xy<double>& normal,
-              double most)
-      : boundary_(boundary), curves_(boundary.curves()), ranges_(ranges), p_(p), normal_(normal), radius_(most),
-        center_(p + most * normal), resolution_(boundary.resolution()),
+  Disc_search(const Axis_boundary& boundary, const Ranges& ranges, const Boundary_jet& at, double most)
+      : boundary_(boundary), curves_(boundary.curves()), ranges_(ranges),
+        at_(at), disc_{at.point + most * at.normal(), most}, resolution_(boundary.resolution()),
         noise_((std::max)(NOISE * resolution_, boundary.hidden_height())) {}
 
   /// Takes a place that counts into account before all others, so that less is in the disc.
@@ -42,27 +42,25 @@ template <class Ranges> class Disc_search {
   }
   // What boxes are asked for, see for_each_near: the disc shrinks towards p, so that distances from its first center
   // tell nothing of what counts later.
-  [[nodiscard]] const Xy<double>& point() const { return center_; }
+  [[nodiscard]] const Xy<double>& point() const { return disc_.center; }
   [[nodiscard]] double squared_reach() const { return inner() * inner(); }
   [[nodiscard]] bool goes_on(double) const { return true; }
   void look_at(std::uint32_t segment) {
     bool is_near = false;  // asked for once, of a segment that counts
     const auto near = [&] {
-      return is_near = is_near || distance_bounds(center_, curves_.region(segment)).lower < inner(segment);
+      return is_near = is_near || distance_bounds(disc_.center, curves_.region(segment)).lower < inner(segment);
     };
     boundary_.for_each_element_of(segment, [&](std::uint32_t e) {
-      ranges_.for_each(e, [&](double u0, double u1) {
-        if (!near()) return;
-        if (boundary_.element(e).is_corner) look_at_corner(e, u0, u1);
-        else look_at(e, u0, u1);
+      ranges_(e, [&](double u0, double u1) {
+        if (near()) look_at(e, u0, u1);
       });
     });
   }
   /// Looks at one part of an element: where few count, one after the other, then `finish`.
   void look_at_part(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
-    if (element.is_corner) look_at_corner(e, u0, u1);
-    else if (distance_bounds(center_, curves_.region(element.segment)).lower < inner(element.segment))
+    if (element.is_corner ||
+        distance_bounds(disc_.center, curves_.region(element.segment)).lower < inner(element.segment))
       look_at(e, u0, u1);
   }
   void finish() {
@@ -70,25 +68,23 @@ template <class Ranges> class Disc_search {
   }
   /// A search from where this one is, in other ranges.
   [[nodiscard]] Disc_search among(const Ranges& ranges) const {
-    return Disc_search(boundary_, ranges, p_, normal_, radius_);
+    return Disc_search(boundary_, ranges, at_, disc_.radius);
   }
   /// Whether anything was in the disc to begin with.
   [[nodiscard]] bool is_found() const { return is_found_; }
-  [[nodiscard]] double radius() const { return radius_; }
-  [[nodiscard]] const Xy<double>& center() const { return center_; }
+  [[nodiscard]] const Touching_disc& disc() const { return disc_; }
   /// What the disc touches.
   [[nodiscard]] const Boundary_place& place() const { return place_; }
 
   /// A point of the boundary that is not in the disc that is left. \return whether it was in it
   bool offer(const Boundary_place& place, const Xy<double>& q) {
-    const Xy<double> way = q - p_;
-    const double height = dot(way, normal_);
+    const Xy<double> way = q - at_.point;
+    const double height = dot(way, at_.normal());
     const double square = dot(way, way), least = boundary_.joint_size();
     if (!(height > 0) || square <= least * least) return false;
     const double r = square / (2 * height);
-    if (!(r < radius_ - limit() / 2) || !(height - square / (2 * radius_) > noise_)) return false;
-    radius_ = r;
-    center_ = p_ + r * normal_;
+    if (!(r < disc_.radius - limit() / 2) || !(height - square / (2 * disc_.radius) > noise_)) return false;
+    disc_ = {at_.point + r * at_.normal(), r};
     place_ = place;
     return is_found_ = true;
   }
@@ -98,32 +94,33 @@ template <class Ranges> class Disc_search {
   // away into it, and so does what a wall is off by where it is seen without hidden turns.
   static constexpr double NOISE = 0x1p-4;
 
-  [[nodiscard]] double limit() const { return (std::max)(resolution_ + 0x1p-47 * radius_, noise_); }
-  [[nodiscard]] double inner() const { return radius_ - limit(); }
+  [[nodiscard]] double limit() const { return (std::max)(resolution_ + 0x1p-47 * disc_.radius, noise_); }
+  [[nodiscard]] double inner() const { return disc_.radius - limit(); }
   // What is nearer to the center than that is in the disc; fat arcs tell no more.
   [[nodiscard]] double inner(std::uint32_t segment) const {
-    return radius_ - (std::max)(limit(), distance_resolution(curves_.error(segment), radius_));
+    return disc_.radius - (std::max)(limit(), distance_resolution(curves_.error(segment), disc_.radius));
   }
 
   // What is farther than that may be in the disc by the errors of its fat arc alone, however short it is.
   [[nodiscard]] double inner_of_arcs(std::uint32_t segment) const {
-    return radius_ - limit() - distance_resolution(curves_.error(segment), radius_);
+    return disc_.radius - limit() - distance_resolution(curves_.error(segment), disc_.radius);
   }
 
   void look_at(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
+    if (element.is_corner) {
+      if (offer({e, u0}, element.point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
+      return;
+    }
     if (u0 == element.first && u1 == element.last)
       return refine(e, curves_.piece(element.segment), curves_.region(element.segment));
     const Spiral_piece_2 piece = boundary_.piece(e, u0, u1);
     if (u0 < u1) refine(e, piece, curves_.region(piece));
     else offer_sample(e, piece.first);
   }
-  void look_at_corner(std::uint32_t e, double u0, double u1) {
-    if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
-  }
   // The disc touches a corner in the direction of its center, as far as the corner counts.
   [[nodiscard]] double angle_to_center(std::uint32_t e) const {
-    return boundary_.angle_of(e, center_ - boundary_.element(e).point);
+    return boundary_.angle_of(e, disc_.center - boundary_.element(e).point);
   }
   // One point may be of several elements: next to a corner, or as rounding has it, of the corner, and of both sides of
   // a curve that one which has the center on its left.
@@ -137,16 +134,16 @@ template <class Ranges> class Disc_search {
         const Boundary_element& element = boundary_.element(corner);
         if (!element.is_corner || euclidean_norm(at - element.point) > boundary_.joint_size()) continue;
         const double angle = angle_to_center(corner);
-        ranges_.for_each(corner, [&](double u0, double u1) {
+        ranges_(corner, [&](double u0, double u1) {
           const double u = std::clamp(angle, u0, u1);
           if (std::fabs(u - angle) < least) place_ = {corner, u}, least = std::fabs(u - angle);
         });
       }
     }
     if (std::isfinite(least) || back == Axis_boundary::NONE) return;
-    if (!(dot(center_ - at, boundary_(place_).normal()) < 0)) return;
+    if (!(dot(disc_.center - at, boundary_(place_).normal()) < 0)) return;
     const double u = -place_.u;
-    ranges_.for_each(back, [&](double u0, double u1) {
+    ranges_(back, [&](double u0, double u1) {
       if (u0 <= u && u <= u1) place_ = {back, u};
     });
   }
@@ -155,15 +152,15 @@ template <class Ranges> class Disc_search {
   void refine(std::uint32_t e, const Spiral_piece_2& piece, const Fat_arc_2& fat) {
     constexpr int MOST_ROUNDS = 40;  // each takes more than the resolution off
     for (int round = 0; round < MOST_ROUNDS; ++round) {
-      if (!(distance_bounds(center_, fat).lower < inner(piece.segment))) return;
-      const Foot_convexity f = foot_convexity(center_, piece, curves_.error(piece.segment));
+      if (!(distance_bounds(disc_.center, fat).lower < inner(piece.segment))) return;
+      const Foot_convexity f = foot_convexity(disc_.center, piece, curves_.error(piece.segment));
       if (f.is_rising || f.is_falling) {  // an end is nearest, from this center
         if (!offer_sample(e, f.is_rising ? piece.first : piece.last)) return;
         continue;
       }
       constexpr double LEAST = 0x1p-6;
       if (!(f.least >= LEAST)) break;
-      const Foot foot(curves_, center_, piece, f.least, inner());
+      const Foot foot(curves_, disc_.center, piece, f.least, inner());
       if (foot.outcome == Foot::Outcome::TOO_FAR) return;
       if (foot.outcome != Foot::Outcome::FOUND) break;
       const Xy<double> q = curves_.evaluator(curves_.bezier_of(piece.segment))(foot.better_t).point;
@@ -176,15 +173,15 @@ template <class Ranges> class Disc_search {
     }
     // along the disc, where very many halves are near it: they would tell no more of what is less than can be told
     constexpr int MANY = 256;
-    if (++halved_ > MANY && distance_bounds(center_, fat).lower >= inner_of_arcs(piece.segment)) {
+    if (++halved_ > MANY && distance_bounds(disc_.center, fat).lower >= inner_of_arcs(piece.segment)) {
       bool is_in = false;
       for (const Spiral_sample* s : {&piece.first, &parts->first.last, &piece.last})
-        if (euclidean_norm(s->point - center_) < inner()) is_in = offer_sample(e, *s) || is_in;
+        if (euclidean_norm(s->point - disc_.center) < inner()) is_in = offer_sample(e, *s) || is_in;
       if (!is_in) return;
     }
     const Fat_arc_2 fat0 = curves_.region(parts->first), fat1 = curves_.region(parts->second);
     offer_sample(e, parts->first.last);
-    const bool is_first_nearer = distance_bounds(center_, fat0).lower < distance_bounds(center_, fat1).lower;
+    const bool is_first_nearer = distance_bounds(disc_.center, fat0).lower < distance_bounds(disc_.center, fat1).lower;
     if (is_first_nearer) refine(e, parts->first, fat0);
     refine(e, parts->second, fat1);
     if (!is_first_nearer) refine(e, parts->first, fat0);
@@ -193,9 +190,8 @@ template <class Ranges> class Disc_search {
   const Axis_boundary& boundary_;
   const Segment_hierarchy& curves_;
   const Ranges& ranges_;
-  Xy<double> p_, normal_;
-  double radius_;
-  Xy<double> center_;
+  Boundary_jet at_;
+  Touching_disc disc_;
   double resolution_, noise_;
   Boundary_place place_;
   int halved_ = 0;
@@ -211,7 +207,7 @@ template <class Ranges> class Disc_search {
 /// The length by which a disc misses the worst of some points.
 [[nodiscard]] inline double most_gap(const Touching_disc& disc, const std::vector<Xy<double>>& points) {
   double most = 0;
-  for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(disc.center - p) - disc.radius));
+  for (const Xy<double>& p : points) most = (std::max)(most, disc.gap(p));
   return most;
 }
 

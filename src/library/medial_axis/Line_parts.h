@@ -135,8 +135,7 @@ class Foot_runs {
         const std::pair<std::size_t, double> rank{(i > 0) + (k > 0), std::fabs(of_b[k].t - of_a[i].t)};
         if (best && !(rank < least)) continue;
         least = rank;
-        best.emplace();
-        best->segment = of_a[i].segment, best->from = of_a[i].t, best->to = of_b[k].t;
+        best = Foot_run{of_a[i].segment, of_a[i].t, of_b[k].t};
       }
     return best;
   }
@@ -170,11 +169,7 @@ class Foot_runs {
       } while (e != 2 * segment + is_last);
     }
   }
-  [[nodiscard]] Foot_run point_run(const Curve_place& p) const {
-    Foot_run run;
-    run.is_point = true, run.point = point(p);
-    return run;
-  }
+  [[nodiscard]] Foot_run point_run(const Curve_place& p) const { return {0, 0, 0, true, point(p)}; }
 
   const Segment_hierarchy& curves_;
   double least_, room_;

@@ -78,7 +78,7 @@ class Line_prover {
     result.seen = band.seen();
     const double beside = beside_feet(line, a) + beside_feet(line, b);
     if (&line != &whole) result.off = (std::max)(off_line(line.first, whole), off_line(line.last, whole));
-    const double by_band = (std::min)(band.bound(), bound_between_corners(line, whole, a, b, rolled_)) + result.off,
+    const double by_band = (std::min)(band.bound(), rolled_.bound_between_corners(line, whole, a, b)) + result.off,
                  by_line = (std::min)(by_band, rolled_.bound(line, whole, a, b, result.off)) + beside;
     const double by_tip = rolled_.tip_bound(line, a, b);
     result.bound = result.is_in_order ? (std::min)(by_line, by_tip) : by_tip;

@@ -38,12 +38,11 @@ class Rolled_discs {
     const Xy<double> way = line.last.center - line.first.center;
     for (const bool is_first : {true, false}) {
       const Touching_disc &near = is_first ? line.first : line.last, &end = is_first ? whole.first : whole.last;
-      const bool is_of_whole = near.center == end.center && near.radius == end.radius;
+      const bool is_of_whole = near == end;
       const Axis_line& compared = is_of_whole ? whole : line;
       const Touching_disc &other = is_first ? compared.last : compared.first,
                           &far = is_first ? whole.last : whole.first;
-      const bool is_far = other.center == far.center && other.radius == far.radius;
-      const Touching_disc& next = is_far ? whole.beyond[is_first ? 1 : 0] : far;
+      const Touching_disc& next = other == far ? whole.beyond[is_first ? 1 : 0] : far;
       double most = 0;
       for (const Line_part* p : {&a, &b}) {
         const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
@@ -69,12 +68,72 @@ class Rolled_discs {
     }
     return least;
   }
-  /// The largest disc that touches a corner, has its center on the ray to another place, or on one that turns from it
-  /// by no more than an angle, and holds none of these points.
-  [[nodiscard]] double largest_at_corner(const Xy<double>& corner, const Xy<double>& on_ray, double angle,
-                                         const std::vector<Xy<double>>& others) const {
-    const double away = euclidean_norm(on_ray - corner);
-    return largest_beside({corner, (1 / away) * (on_ray - corner), 0, angle + 4 * HALF_ULP, 0}, others);
+  // How far the true axis is from the line between two discs that touch two corners, however near these are to each
+  // other.
+  //
+  // Let p be a corner, q the other one, and H = (c - p).(q - p) / |q - p| the height of a place c of the line.  The ray
+  // from p through c meets the bisector, where H is g = |q - p| / 2, in x = p + (c - p) g / H.  All of these x are on a
+  // line that is off the given one by |g - H| at ends, and they go past an end by |c - p| |g - H| / H.  The disc about
+  // x has the radius |x - p|, a convex function.  So its chord is off by what ends miss, and by the height of the
+  // corner of its tangents: with slopes a and b at ends, m of the chord, l (m - a) (b - m) / (b - a).
+  //
+  // Corners are where doubles have them: `moved` of an axis counts what crossings are rounded by.
+  //
+  // As rays turn one way, no x is farther past an end than that of the end itself, by t.  Where the line goes on there,
+  // as the whole of which it is a half or as the next one, with the direction v and m of radii for a unit of length: a
+  // place on the bisector is off it by t |u - v|, u the ray's direction, and its radius by t (1 - m), and the bisector
+  // turns from the ray by g / |c - p| at most.  Past a vertex discs are not larger than what else it touches leaves, on
+  // rays that turn from the end's by no more than t g / |c - p|^2.
+  // \param whole as for Line_prover
+  [[nodiscard]] double bound_between_corners(const Axis_line& line, const Axis_line& whole, const Line_part& a,
+                                             const Line_part& b) const {
+    const auto is_corner = [](const Line_part& p) { return p.is_point && p.begin.point == p.end.point; };
+    if (!is_corner(a) || !is_corner(b)) return UNBOUNDED;
+    constexpr double UNIT = 8 * HALF_ULP;  // more than the roundings of a product with a way
+    const Xy<double> way = line.last.center - line.first.center;
+    const double length = euclidean_norm(way), chord = length > 0 ? (line.last.radius - line.first.radius) / length : 0;
+    double most = 0;
+    for (const bool is_left : {true, false}) {
+      const Xy<double>&corner = is_left ? a.begin.point : b.begin.point,
+            across = (is_left ? b.begin.point : a.begin.point) - corner;
+      const double gap = euclidean_norm(across);
+      if (!(gap > 0)) return UNBOUNDED;
+      double off = 0, miss = 0, apart[2], past = 0;  // apart: slopes at ends from the chord's
+      for (const int i : {0, 1}) {
+        const Touching_disc &d = i == 0 ? line.first : line.last, &end = i == 0 ? whole.first : whole.last;
+        const Xy<double> to = d.center - corner;
+        const double away = euclidean_norm(to);
+        if (!(away > 0)) return UNBOUNDED;
+        // the ray meets the bisector beyond the place, and the bisector turns from the ray, by no more than that
+        const double slope = length > 0 ? dot(to, way) / (away * length) : 0, error = UNIT * away,
+                     height = dot(to, across) / gap, least = height - error,
+                     off_here = std::fabs(0.5 * gap - height) + error,
+                     beyond = least > 0 ? away * off_here / least : UNBOUNDED,
+                     turn = OF_ARC * (std::min)(1.0, 0.5 * gap / away) + UNIT;
+        off = (std::max)(off, off_here);
+        miss = (std::max)(miss, std::fabs(away - d.radius) + error);
+        apart[i] = (std::max)(0.0, i == 0 ? chord - slope : slope - chord) + UNIT;
+        double most_past = 2 * beyond;
+        if (d == end && line.others[i] != nullptr) {
+          // the largest disc with its center on the ray, or on one that turns from it by no more than that
+          const double angle = (std::min)(beyond / away, 1.0) * turn,
+                       largest = largest_beside({corner, (1 / away) * to, 0, angle + 4 * HALF_ULP, 0}, *line.others[i]);
+          most_past = (std::min)(most_past, 2 * ((std::max)(0.0, largest - away) + error));
+        } else {
+          const Touching_disc& on = !(d == end) ? end : whole.beyond[i];
+          const double reach = euclidean_norm(on.center - d.center);
+          if (on.radius >= 0 && beyond <= reach && reach > 0) {
+            const double aside = euclidean_norm((1 / away) * to - (1 / reach) * (on.center - d.center)),
+                         grows = std::fabs(1 - (on.radius - d.radius) / reach);
+            most_past = (std::min)(most_past, beyond * (aside + grows + 2 * turn));
+          }
+        }
+        past = (std::max)(past, most_past);
+      }
+      const double sag = length * apart[0] * apart[1] / (apart[0] + apart[1]);
+      most = (std::max)(most, 2 * off + sag + 3 * miss + past);
+    }
+    return most * ROUNDED_UP<64>;
   }
   // In a tip, whose sides x and y end in the corner o, both cells may be one: the line to the corner, which often
   // crosses a side, is no part of it.
@@ -252,101 +311,6 @@ class Rolled_discs {
 
   const Line_parts& parts_;
 };
-
-// How far the true axis is from the line between two discs that touch two corners, however near these are to each
-// other.
-//
-// Let p be a corner, q the other one, and H = (c - p).(q - p) / |q - p| the height of a place c of the line.  The ray
-// from p through c meets the bisector, where H is g = |q - p| / 2, in x = p + (c - p) g / H.  All of these x are on a
-// line that is off the given one by |g - H| at ends, and they go past an end by |c - p| |g - H| / H.  The disc about x
-// has the radius |x - p|, a convex function.  So its chord is off by what ends miss, and by the height of the corner of
-// its tangents: with slopes a and b at ends, m of the chord, l (m - a) (b - m) / (b - a).
-//
-// Corners are where doubles have them: `moved` of an axis counts what crossings are rounded by.
-//
-// As rays turn one way, no x is farther past an end than that of the end itself, by t.  Where the line goes on there,
-// as the whole of which it is a half or as the next one, with the direction v and m of radii for a unit of length: a
-// place on the bisector is off it by t |u - v|, u the ray's direction, and its radius by t (1 - m), and the bisector
-// turns from the ray by g / |c - p| at most.  Past a vertex discs are not larger than what else it touches leaves, on
-// rays that turn from the end's by no more than t g / |c - p|^2.
-
-class Corner_sight {
- public:
-  static constexpr double UNIT = 8 * HALF_ULP;  // more than the roundings of a product with a way
-
-  Corner_sight(const Xy<double>& corner, const Xy<double>& other) : corner_(corner), across_(other - corner) {
-    gap_ = euclidean_norm(across_);
-  }
-  [[nodiscard]] bool are_apart() const { return gap_ > 0; }
-  [[nodiscard]] Xy<double> way_to(const Xy<double>& c) const { return c - corner_; }
-  [[nodiscard]] const Xy<double>& corner() const { return corner_; }
-  [[nodiscard]] double turn_to_bisector(const Xy<double>& c) const {
-    constexpr double OF_ARC = 1.6;  // an angle of a quarter turn at most, times its sine
-    return OF_ARC * (std::min)(1.0, 0.5 * gap_ / euclidean_norm(way_to(c))) + UNIT;
-  }
-  /// At least |g - H|.
-  [[nodiscard]] double off(const Xy<double>& c) const { return std::fabs(0.5 * gap_ - height(c)) + error(c); }
-  /// How far past c its ray meets the bisector, at most.
-  [[nodiscard]] double past(const Xy<double>& c) const {
-    const double least = height(c) - error(c);
-    return least > 0 ? euclidean_norm(way_to(c)) * off(c) / least : Line_parts::UNBOUNDED;
-  }
-
- private:
-  [[nodiscard]] double height(const Xy<double>& c) const { return dot(way_to(c), across_) / gap_; }
-  [[nodiscard]] double error(const Xy<double>& c) const { return UNIT * euclidean_norm(way_to(c)); }
-
-  Xy<double> corner_, across_;
-  double gap_ = 0;
-};
-
-/// \param whole as for Line_prover
-[[nodiscard]] inline double bound_between_corners(const Axis_line& line, const Axis_line& whole, const Line_part& a,
-                                                  const Line_part& b, const Rolled_discs& rolled) {
-  const auto is_corner = [](const Line_part& p) { return p.is_point && p.begin.point == p.end.point; };
-  if (!is_corner(a) || !is_corner(b)) return Line_parts::UNBOUNDED;
-  const auto is_same = [](const Touching_disc& c, const Touching_disc& d) {
-    return c.center == d.center && c.radius == d.radius;
-  };
-  const Xy<double> way = line.last.center - line.first.center;
-  const double length = euclidean_norm(way), chord = length > 0 ? (line.last.radius - line.first.radius) / length : 0;
-  double most = 0;
-  for (const bool is_left : {true, false}) {
-    const Corner_sight corner(is_left ? a.begin.point : b.begin.point, is_left ? b.begin.point : a.begin.point);
-    if (!corner.are_apart()) return Line_parts::UNBOUNDED;
-    double off = 0, miss = 0, apart[2], past = 0;  // apart: slopes at ends from the chord's
-    for (const int i : {0, 1}) {
-      const Touching_disc &d = i == 0 ? line.first : line.last, &end = i == 0 ? whole.first : whole.last;
-      const Xy<double> to = corner.way_to(d.center);
-      const double away = euclidean_norm(to);
-      if (!(away > 0)) return Line_parts::UNBOUNDED;
-      const double slope = length > 0 ? dot(to, way) / (away * length) : 0,
-                   turn = corner.turn_to_bisector(d.center);  // at most, of the bisector from the ray
-      off = (std::max)(off, corner.off(d.center));
-      miss = (std::max)(miss, std::fabs(away - d.radius) + Corner_sight::UNIT * away);
-      apart[i] = (std::max)(0.0, i == 0 ? chord - slope : slope - chord) + Corner_sight::UNIT;
-      const double beyond = corner.past(d.center);
-      double most_past = 2 * beyond;
-      if (is_same(d, end) && line.others[i] != nullptr) {
-        const double angle = (std::min)(beyond / away, 1.0) * turn;
-        const double largest = rolled.largest_at_corner(corner.corner(), d.center, angle, *line.others[i]);
-        most_past = (std::min)(most_past, 2 * ((std::max)(0.0, largest - away) + Corner_sight::UNIT * away));
-      } else {
-        const Touching_disc& on = !is_same(d, end) ? end : whole.beyond[i];
-        const double reach = euclidean_norm(on.center - d.center);
-        if (on.radius >= 0 && beyond <= reach && reach > 0) {
-          const double aside = euclidean_norm((1 / away) * to - (1 / reach) * (on.center - d.center)),
-                       grows = std::fabs(1 - (on.radius - d.radius) / reach);
-          most_past = (std::min)(most_past, beyond * (aside + grows + 2 * turn));
-        }
-      }
-      past = (std::max)(past, most_past);
-    }
-    const double sag = length * apart[0] * apart[1] / (apart[0] + apart[1]);
-    most = (std::max)(most, 2 * off + sag + 3 * miss + past);
-  }
-  return most * ROUNDED_UP<64>;
-}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -6,8 +6,8 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include "../tree/Segment_hierarchy.h"
+#include "Axis_editor.h"
 #include "Line_prover.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ class Axis_prover {
   Axis_prover(const Bounding_parts& bounds, const Medial_axis_2& axis)
       : bounds_(bounds), curves_(bounds.segments), axis_(axis), size_(coordinate_size(curves_.drawing())),
         least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_, least_),
-        prover_(curves_, size_), left_(curves_.number_of_segments()), right_(curves_.number_of_segments()) {}
+        prover_(curves_, size_), ranges_(2 * curves_.number_of_segments()) {}
 
   [[nodiscard]] Axis_certificate prove() {
     Axis_certificate result;
@@ -43,12 +43,13 @@ class Axis_prover {
       is_bounded = is_bounded && e.bound < Line_prover::UNBOUNDED;
     }
     for (Axis_certificate::Edge& e : result.edges)
-      if (!is_bounded && e.status == Axis_certificate::Status::PROVEN)
-        e.status = Axis_certificate::Status::ESTIMATED, e.reason = Axis_certificate::Reason::ELSEWHERE;
+      if (!is_bounded && e.status == Status::PROVEN) e.status = Status::ESTIMATED, e.reason = Reason::ELSEWHERE;
     return result;
   }
 
  private:
+  using Status = Axis_certificate::Status;
+  using Reason = Axis_certificate::Reason;
   static constexpr double NEAR = 1.5;          // times what is seen: goals
   static constexpr double SHORT = 1.0 / 16;    // of eps: longer lines are never left out
   static constexpr double LEAST = 0x1p-42;     // of the size: shorter parts of the boundary are left out
@@ -56,16 +57,14 @@ class Axis_prover {
 
   [[nodiscard]] Axis_certificate::Edge prove(const Medial_axis_2::Edge& e) {
     Axis_certificate::Edge result;
-    if (e.samples.size() < 2)
-      return {Axis_certificate::Status::ESTIMATED, Axis_certificate::Reason::FEET, Line_prover::UNBOUNDED};
+    if (e.samples.size() < 2) return {Status::ESTIMATED, Reason::FEET, Line_prover::UNBOUNDED};
     lines_.clear();
     double moved = 0;  // by samples that are left out
     Medial_axis_2::Sample s = sample(e, 0);
     for (std::size_t i = 1; i < e.samples.size(); ++i) {
       const Medial_axis_2::Sample t = sample(e, i);
       const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
-      if (!left || !right)
-        return {Axis_certificate::Status::ESTIMATED, Axis_certificate::Reason::FEET, Line_prover::UNBOUNDED};
+      if (!left || !right) return {Status::ESTIMATED, Reason::FEET, Line_prover::UNBOUNDED};
       const Axis_line line{{s.center, s.radius}, {t.center, t.radius}, *left, *right};
       const double length = euclidean_norm(t.center - s.center) + std::fabs(t.radius - s.radius);
       // two discs of the same feet, back to front within rounding
@@ -97,10 +96,9 @@ class Axis_prover {
       is_in_order = is_in_order && l.result.is_in_order;
     }
     result.bound += moved;
-    if (!is_in_order)
-      result = {Axis_certificate::Status::ESTIMATED, Axis_certificate::Reason::CELL, Line_prover::UNBOUNDED};
-    else if (!(result.bound <= axis_.eps)) result.reason = Axis_certificate::Reason::BAND;
-    else result.status = Axis_certificate::Status::PROVEN;
+    if (!is_in_order) result = {Status::ESTIMATED, Reason::CELL, Line_prover::UNBOUNDED};
+    else if (!(result.bound <= axis_.eps)) result.reason = Reason::BAND;
+    else result.status = Status::PROVEN;
     return result;
   }
 
@@ -170,8 +168,8 @@ class Axis_prover {
   void add_range(const Foot_run& run, bool is_left) {
     if (run.is_point) return;
     // left feet run against the boundary
-    const bool is_left_of_curve = run.is_growing() != is_left;
-    (is_left_of_curve ? left_ : right_)[run.segment].push_back(
+    const bool is_right_of_curve = run.is_growing() == is_left;
+    ranges_[2 * run.segment + is_right_of_curve].push_back(
         {(std::min)(run.from, run.to), (std::max)(run.from, run.to)});
   }
 
@@ -224,26 +222,22 @@ class Axis_prover {
   }
   // A side of a segment that has a region is tiled once, the other one not at all.
   [[nodiscard]] bool are_sides_tiled() {
-    std::vector<char> has_left(left_.size(), 0), has_right(left_.size(), 0);
+    std::vector<char> has_region(ranges_.size(), 0);
     for (const Bounding_ring& ring : bounds_.rings)
-      for (const Directed_segment& s : ring.way) (s.is_reversed ? has_right : has_left)[s.segment] = 1;
-    for (std::uint32_t s = 0; s < left_.size(); ++s) {
-      const Spiral_piece_2 p = curves_.piece(s);
+      for (const Directed_segment& s : ring.way) has_region[s.side()] = 1;
+    for (std::uint32_t side = 0; side < ranges_.size(); ++side) {
+      const Spiral_piece_2 p = curves_.piece(side / 2);
       if (euclidean_norm(p.last.point - p.first.point) <= least_) continue;
-      for (const bool is_left : {true, false}) {
-        std::vector<Range>& ranges = (is_left ? left_ : right_)[s];
-        const bool has_region = (is_left ? has_left : has_right)[s] != 0;
-        if (has_region ? !is_side_tiled(s, is_left, ranges) : !ranges.empty()) return false;
-      }
+      if (has_region[side] != 0 ? !is_side_tiled(p, side % 2 == 0, ranges_[side]) : !ranges_[side].empty())
+        return false;
     }
     return true;
   }
-  [[nodiscard]] bool is_side_tiled(std::uint32_t segment, bool is_left, std::vector<Range>& ranges) {
+  [[nodiscard]] bool is_side_tiled(const Spiral_piece_2& p, bool is_left, std::vector<Range>& ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
-    const Spiral_piece_2 p = curves_.piece(segment);
     const auto is_filled = [&](const Range& r) {
-      return r.low == r.high || is_nothing(segment, r.low, r.high) ||
-             (r.low < r.high && add_sector(segment, is_left, r));
+      return r.low == r.high || is_nothing(p.segment, r.low, r.high) ||
+             (r.low < r.high && add_sector(p.segment, is_left, r));
     };
     double t = p.first.t;
     for (const Range& r : ranges) {
@@ -283,9 +277,9 @@ class Axis_prover {
   double size_, least_, eps_ = 0;  // the latter of an edge, less what is moved
   Foot_runs runs_;
   Line_prover prover_;
-  std::vector<std::vector<Range>> left_, right_;  // of each segment
-  std::vector<Feet> feet_;                        // of each vertex
-  std::vector<std::size_t> on_arcs_;              // vertices that may touch one
+  std::vector<std::vector<Range>> ranges_;  // by side
+  std::vector<Feet> feet_;                  // of each vertex
+  std::vector<std::size_t> on_arcs_;        // vertices that may touch one
   std::vector<Proved_line> lines_;
   int left_to_part_ = 0;
 };
@@ -297,19 +291,8 @@ class Axis_prover {
 namespace CGAL::Bounding_arcs {
 
 const char* name_of(Axis_certificate::Reason reason) {
-  switch (reason) {
-    case Axis_certificate::Reason::NONE:
-      return "NONE";
-    case Axis_certificate::Reason::FEET:
-      return "FEET";
-    case Axis_certificate::Reason::CELL:
-      return "CELL";
-    case Axis_certificate::Reason::BAND:
-      return "BAND";
-    case Axis_certificate::Reason::ELSEWHERE:
-      return "ELSEWHERE";
-  }
-  return "";
+  static constexpr const char* NAMES[] = {"NONE", "FEET", "CELL", "BAND", "ELSEWHERE"};  // as they are declared
+  return NAMES[static_cast<std::size_t>(reason)];
 }
 
 bool Axis_certificate::is_proven() const {
@@ -321,9 +304,8 @@ bool Axis_certificate::is_proven() const {
 Axis_certificate axis_certificate(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
   const Unit& unit = curves.unit();
   const auto bounds = internal::bounds_of(axis, curves.in_unit());
-  if (unit.is_one()) return internal::Axis_prover(*bounds, axis).prove();
-  const Medial_axis_2 scaled = internal::in(unit, axis);
-  Axis_certificate result = internal::Axis_prover(*bounds, scaled).prove();
+  const Medial_axis_2 in_unit = internal::in(unit, axis);
+  Axis_certificate result = internal::Axis_prover(*bounds, in_unit).prove();
   result.bound = unit.out(result.bound);
   for (Axis_certificate::Edge& e : result.edges) e.bound = unit.out(e.bound);
   return result;

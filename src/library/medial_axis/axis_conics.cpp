@@ -7,8 +7,8 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../tree/Segment_hierarchy.h"
+#include "Axis_editor.h"
 #include "Line_parts.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,17 +15,74 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-// How far s is from the line between the others, in the plane and in the radius together.
-[[nodiscard]] static double deviation(const Bisector_2::Sample& s0, const Bisector_2::Sample& s,
-                                      const Bisector_2::Sample& s1) {
-  const Xy<double> way = s1.center - s0.center, from = s.center - s0.center;
-  const double all = dot(way, way), share = all > 0 ? dot(from, way) / all : 0;
-  return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
-}
+namespace {
+
+/// Chains of discs along a curve, each as long as there are discs.
+/// \tparam Disc std::optional<Bisector_2::Sample>(double t)
+template <class Disc> class Chain_maker {
+ public:
+  using Sample = Bisector_2::Sample;
+
+  Chain_maker(const Disc& disc, double eps) : disc_(disc), eps_(eps) {
+    constexpr int FIRST = 64;
+    std::optional<Sample> last = disc(0);
+    if (last) chains_.back().push_back(*last);
+    for (int i = 1; i <= FIRST; ++i) {
+      const double t0 = static_cast<double>(i - 1) / FIRST, t1 = static_cast<double>(i) / FIRST;
+      const std::optional<Sample> next = disc(t1);
+      add_between(t0, last, t1, next);
+      last = next;
+    }
+    if (chains_.back().empty()) chains_.pop_back();
+  }
+  [[nodiscard]] std::vector<std::vector<Sample>> chains() && { return std::move(chains_); }
+
+ private:
+  // What comes behind t0, up to t1.
+  void add_between(double t0, const std::optional<Sample>& s0, double t1, const std::optional<Sample>& s1) {
+    constexpr double LEAST_STEP = 0x1p-18;
+    if (!s0 && !s1) return;
+    if (t1 - t0 > LEAST_STEP) {
+      const double t = t0 + (t1 - t0) / 2;
+      const std::optional<Sample> s = disc_(t);
+      if (!s0 || !s1 || !s || deviation(*s0, *s, *s1) > eps_) {
+        add_between(t0, s0, t, s);
+        add_between(t, s, t1, s1);
+        return;
+      }
+    }
+    if (!s0) chains_.back().push_back(end_between(*s1, t0));
+    if (!s1) chains_.back().push_back(end_between(*s0, t1));
+    if (s1) chains_.back().push_back(*s1);
+    else chains_.emplace_back();
+  }
+  // The last disc, or the first one, of a chain that ends between a disc and a place without.
+  [[nodiscard]] Sample end_between(Sample end, double none) const {
+    for (;;) {
+      const double t = end.t + (none - end.t) / 2;
+      if (t == end.t || t == none) return end;
+      if (const auto s = disc_(t)) end = *s;
+      else none = t;
+    }
+  }
+  // How far s is from the line between the others, in the plane and in the radius together.
+  [[nodiscard]] static double deviation(const Sample& s0, const Sample& s, const Sample& s1) {
+    const Xy<double> way = s1.center - s0.center, from = s.center - s0.center;
+    const double all = dot(way, way), share = all > 0 ? dot(from, way) / all : 0;
+    return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
+  }
+
+  const Disc& disc_;
+  double eps_;
+  std::vector<std::vector<Sample>> chains_{1};
+};
+
+}  // namespace
 
 Bisector_2::Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2& b, double largest)
     : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(internal::scaled(a, unit_)),
@@ -42,9 +99,10 @@ std::optional<Bisector_2::Sample> Bisector_2::disc(double t) const {
 
 std::vector<std::vector<Bisector_2::Sample>> Bisector_2::sample(double eps) const {
   check_above_zero("eps", eps);
-  Chains chains = chains_in_unit(unit_.tolerance_in(eps));
+  const auto disc = [this](double t) { return disc_in_unit(t); };
+  auto chains = Chain_maker(disc, unit_.tolerance_in(eps)).chains();
   for (auto& chain : chains)
-    for (Bisector_2::Sample& s : chain) s = out(s);
+    for (Sample& s : chain) s = out(s);
   return chains;
 }
 
@@ -61,6 +119,7 @@ std::optional<Bisector_2::Sample> Bisector_2::disc_in_unit(double t) const {
   const double curvature = 2 * cross(jet[1], jet[2]) / (speed * speed * speed);
   Bisector_2::Sample disc{{}, curvature * largest_ > 1 ? 1 / curvature : largest_, t, {}};
   bool is_found = false;
+  constexpr double ROUNDING = 0x1p-51;
   for (;;) {
     disc.center = jet[0] + disc.radius * normal;
     const auto nearest = is_found ? closest_point(b, disc.center, disc.touches) : closest_point(b, disc.center);
@@ -77,51 +136,6 @@ std::optional<Bisector_2::Sample> Bisector_2::disc_in_unit(double t) const {
     if (is_near) break;
   }
   return is_found ? std::optional(disc) : std::nullopt;
-}
-
-Bisector_2::Chains Bisector_2::chains_in_unit(double eps) const {
-  Chains chains(1);
-  std::optional<Bisector_2::Sample> last = disc_in_unit(0);
-  if (last) chains.back().push_back(*last);
-  for (int i = 1; i <= FIRST; ++i) {
-    const double t0 = static_cast<double>(i - 1) / FIRST, t1 = static_cast<double>(i) / FIRST;
-    const std::optional<Bisector_2::Sample> next = disc_in_unit(t1);
-    add_between(t0, last, t1, next, eps, chains);
-    last = next;
-  }
-  if (chains.back().empty()) chains.pop_back();
-  return chains;
-}
-
-// What comes behind t0, up to t1.
-void Bisector_2::add_between(double t0, const std::optional<Bisector_2::Sample>& s0, double t1,
-                             const std::optional<Bisector_2::Sample>& s1, double eps, Chains& chains) const {
-  if (!s0 && !s1) return;
-  if (t1 - t0 > LEAST_STEP) {
-    const double t = t0 + (t1 - t0) / 2;
-    const std::optional<Bisector_2::Sample> s = disc_in_unit(t);
-    if (!s0 || !s1 || !s || deviation(*s0, *s, *s1) > eps) {
-      add_between(t0, s0, t, s, eps, chains);
-      add_between(t, s, t1, s1, eps, chains);
-      return;
-    }
-  }
-  if (s0.has_value() != s1.has_value()) chains.back().push_back(end_between(t0, s0, t1, s1));
-  if (s1) chains.back().push_back(*s1);
-  else chains.emplace_back();
-}
-
-// The last disc, or the first one, of a chain that ends between two places.
-Bisector_2::Sample Bisector_2::end_between(double t0, const std::optional<Bisector_2::Sample>& s0, double t1,
-                                           const std::optional<Bisector_2::Sample>& s1) const {
-  Bisector_2::Sample end = s0 ? *s0 : *s1;
-  double none = s0 ? t1 : t0;
-  for (;;) {
-    const double t = end.t + (none - end.t) / 2;
-    if (t == end.t || t == none) return end;
-    if (const auto s = disc_in_unit(t)) end = *s;
-    else none = t;
-  }
 }
 
 }  // namespace CGAL::Bounding_arcs

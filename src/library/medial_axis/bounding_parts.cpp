@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of medial_axis/internal/Bounding_parts.h.
+// Bodies of Bounding_parts.h.
 //
 //   curves -> overlay -> faces inside -> rings of edges -> rings of parts of segments
 
@@ -28,12 +28,6 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-/// Sides of edges, with a region to their left.
-struct Ring_of_sides {
-  std::vector<Edge_side> sides;
-  bool is_outer;
-};
-
 /// How often curves wind round points of faces; in a frame that alone.
 [[nodiscard]] std::vector<int> windings_of_faces(const Overlay& overlay, const Medial_axis_2::Options& options) {
   const Cut_curves& cut = overlay.cut();
@@ -56,22 +50,18 @@ struct Ring_of_sides {
 }
 
 /// In a frame each face is a region, and a curve with one face on both sides is a wall in it.
-[[nodiscard]] std::vector<Ring_of_sides> bounding_rings(const Overlay& overlay, const Medial_axis_2::Options& options,
-                                                        const std::vector<int>& windings) {
+[[nodiscard]] std::vector<Region_loop> bounding_rings(const Overlay& overlay, const Medial_axis_2::Options& options,
+                                                      const std::vector<int>& windings) {
   std::vector<char> are_inside;  // by face
   for (const int w : windings) are_inside.push_back(is_inside(options, w) ? 1 : 0);
-  std::vector<Ring_of_sides> rings;
-  if (!options.is_framed) {
-    for (Region_loop& loop : region_loops(overlay, are_inside, Loops_at_vertices::GO_ON))
-      rings.push_back({std::move(loop.sides), loop.is_ccw});
-    return rings;
-  }
+  if (!options.is_framed) return region_loops(overlay, are_inside, Loops_at_vertices::GO_ON);
+  std::vector<Region_loop> rings;
   for (std::uint32_t face = 1; face < overlay.number_of_faces(); ++face) {
     if (are_inside[face] == 0) continue;
     bool is_outer = true;  // the first one
     for (const std::uint32_t ring : overlay.rings_of_face(face)) {
       const List_part<Edge_side> sides = overlay.sides_of_ring(ring);
-      rings.push_back({{sides.begin(), sides.end()}, is_outer});
+      rings.push_back({{sides.begin(), sides.end()}, is_outer, {}});
       is_outer = false;
     }
   }
@@ -181,7 +171,7 @@ class Parted_segments {
 /// within such rings are left out: to those around them they are points of walls.
 /// \return whether there are such
 [[nodiscard]] bool leave_specks_out(const Parted_segments& parted, double least, bool is_framed,
-                                    std::vector<Ring_of_sides>& rings) {
+                                    std::vector<Region_loop>& rings) {
   const auto is_short = [&](Edge_side s) {
     const std::vector<std::uint32_t>& parts = parted.parts_of(edge_of(s));
     return std::all_of(parts.begin(), parts.end(), [&](std::uint32_t p) {
@@ -190,8 +180,8 @@ class Parted_segments {
     });
   };
   const std::size_t count = rings.size();
-  const auto is_speck = [&](const Ring_of_sides& r) {
-    return (r.is_outer || !is_framed) && std::all_of(r.sides.begin(), r.sides.end(), is_short);
+  const auto is_speck = [&](const Region_loop& r) {
+    return (r.is_ccw || !is_framed) && std::all_of(r.sides.begin(), r.sides.end(), is_short);
   };
   rings.erase(std::remove_if(rings.begin(), rings.end(), is_speck), rings.end());
   return rings.size() < count;
@@ -228,10 +218,10 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
   const Overlay overlay(of_length ? *of_length : curves);
   if (overlay.open()) return {curves.parted({}), {}, {}, 0, overlay.open()->point};
   const std::vector<int> windings = windings_of_faces(overlay, options);
-  std::vector<Ring_of_sides> rings = bounding_rings(overlay, options, windings);
+  std::vector<Region_loop> rings = bounding_rings(overlay, options, windings);
   const auto are_wanted = [&] {
     std::vector<char> result(overlay.cut().edges().size(), 0);
-    for (const Ring_of_sides& ring : rings)
+    for (const Region_loop& ring : rings)
       for (const Edge_side s : ring.sides) result[edge_of(s)] = 1;
     return result;
   };
@@ -251,8 +241,8 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
     for (Segment_part& p : parts) p.piece.segment = given[p.piece.segment];
   }
   Bounding_parts result{curves.parted(parts), {}, {}, parted->moved() + (has_specks ? speck : 0), {}};
-  for (const Ring_of_sides& ring : rings) {
-    Bounding_ring made{{}, ring.is_outer};
+  for (const Region_loop& ring : rings) {
+    Bounding_ring made{{}, ring.is_ccw};
     for (const Edge_side s : ring.sides) {
       const auto begin = static_cast<std::ptrdiff_t>(made.way.size());
       for (const std::uint32_t part : parted->parts_of(edge_of(s))) made.way.push_back({part, is_reversed(s)});
@@ -288,8 +278,8 @@ void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
     if (labels[e] != NO_LABEL) sets.join(e, first.emplace(labels[e], e).first->second);
   for (const internal::Bounding_ring& ring : rings)
     for (std::size_t i = 0; i < ring.way.size(); ++i) {
-      const Directed_segment &s = ring.way[i], &next = ring.way[(i + 1) % ring.way.size()];
-      sets.join(2 * s.segment + (s.is_reversed ? 0 : 1), 2 * next.segment + (next.is_reversed ? 1 : 0));
+      const internal::Directed_segment &s = ring.way[i], &next = ring.way[(i + 1) % ring.way.size()];
+      sets.join(s.side() ^ 1U, next.side());  // ends have the numbers of the sides that begin there
     }
   joints.resize(2 * segments.number_of_segments());
   for (std::uint32_t e = 0; e < joints.size(); ++e) joints[e] = sets.find(e);

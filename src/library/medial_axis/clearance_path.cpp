@@ -9,15 +9,16 @@
 #include "../query/Closest_search.h"
 #include "../query/query_units.h"
 #include "../tree/Segment_hierarchy.h"
+#include "Axis_editor.h"
 #include "Bounding_parts.h"
-#include "axis_units.h"
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/filtered_graph.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -116,20 +117,18 @@ class Axis_roads {
     edge.to = vertex;
     axis_.edges.push_back(std::move(rest));
   }
-  // The largest width of which roads connect both places: the widest are added first. -1 where none do.
+  // The largest width of which roads connect both places: ways of the largest least width. -1 where none do.
   [[nodiscard]] double widest_between() const {
-    const auto [first, last] = boost::edges(graph_);
-    std::vector<Road> order(first, last);
-    std::sort(order.begin(), order.end(),
-              [this](const Road& x, const Road& y) { return graph_[x].least_clearance > graph_[y].least_clearance; });
-    std::vector<std::size_t> rank(axis_.vertices.size()), parent(axis_.vertices.size());
-    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
-    for (std::size_t v = 0; v < parent.size(); ++v) sets.make_set(v);
-    for (const Road& r : order) {
-      sets.union_set(boost::source(r, graph_), boost::target(r, graph_));
-      if (sets.find_set(start_) == sets.find_set(stop_)) return graph_[r].least_clearance;
-    }
-    return -1;
+    std::vector<double> width(axis_.vertices.size());
+    const auto least = [](double a, double b) { return (std::min)(a, b); };
+    boost::dijkstra_shortest_paths(graph_, start_,
+                                   boost::weight_map(boost::get(&Medial_graph::edge_bundled::least_clearance, graph_))
+                                       .distance_map(width.data())
+                                       .distance_compare(std::greater<double>())
+                                       .distance_combine(least)
+                                       .distance_inf(-1.0)
+                                       .distance_zero(std::numeric_limits<double>::infinity()));
+    return width[stop_];
   }
   struct Is_wide_enough {
     const Medial_graph* graph = nullptr;
@@ -194,7 +193,7 @@ std::optional<Medial_axis_2::Path> clearance_path(const Bounding_arc_tree_2& tre
   const Unit& unit = tree.unit();
   auto path = internal::clearance_path(internal::bounds_of(axis, tree.in_unit())->segments, internal::in(unit, axis),
                                        point_in(unit, from.point), point_in(unit, to.point));
-  if (!path || unit.is_one()) return path;
+  if (!path) return path;
   for (Medial_axis_2::Path::Station& s : path->stations)
     s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
   path->bottleneck = unit.out(path->bottleneck);

@@ -5,7 +5,7 @@
 // Bodies of medial_axis/local_thickness.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
-#include "axis_units.h"
+#include "Axis_editor.h"
 
 #include <algorithm>
 #include <cmath>

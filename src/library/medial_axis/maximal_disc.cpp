@@ -24,16 +24,6 @@ namespace CGAL::Bounding_arcs {
 
 namespace internal {
 
-// Along a spiral segment no disc touches twice: another place is on another segment.
-struct Not_segment {
-  const Axis_boundary& boundary;
-  std::uint32_t segment;
-  template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
-    const Boundary_element& element = boundary.element(e);
-    if (element.segment != segment) visit(element.first, element.last);
-  }
-};
-
 [[nodiscard]] static Bounding_parts bounds_of_closed(const Bounding_arc_tree_2& curves, Fill_rule rule) {
   check_closed(curves.drawing());
   Medial_axis_2::Options options;
@@ -51,8 +41,7 @@ struct Maximal_discs_2::Boundary {
   internal::Foot_runs places;
 
   Boundary(const Bounding_arc_tree_2& tree, Fill_rule rule)
-      : curves(tree), bounds(internal::bounds_of_closed(tree, rule)), boundary(internal::axis_boundary(bounds)),
-        places(bounds, 0) {}
+      : curves(tree), bounds(internal::bounds_of_closed(tree, rule)), boundary(bounds), places(bounds, 0) {}
 
   [[nodiscard]] Maximal_discs_2::Disc at(const internal::Boundary_place& p) const;
 };
@@ -70,7 +59,7 @@ std::optional<Maximal_discs_2::Disc> Maximal_discs_2::operator()(const Curve_pla
   const auto segment = boundary_->places.segment_at(parts.number_of_bezier(place.curve, place.bezier), place.t);
   if (!segment || place.t < parts.piece(*segment).first.t || place.t > parts.piece(*segment).last.t)
     return std::nullopt;
-  for (const std::uint32_t e : boundary_->boundary.sides(*segment).of)
+  for (const std::uint32_t e : boundary_->boundary.sides(*segment))
     if (e != internal::Axis_boundary::NONE) return boundary_->at(boundary_->boundary.place(e, place.t));
   return std::nullopt;
 }
@@ -80,10 +69,15 @@ Maximal_discs_2::Disc Maximal_discs_2::Boundary::at(const internal::Boundary_pla
   const double curvature = jet.speed > 0 ? jet.turn / jet.speed : 0;
   double most = boundary.largest_radius();
   if (curvature * most > 1) most = 1 / curvature;
-  const internal::Not_segment others{boundary, boundary.element(p.element).segment};
-  internal::Disc_search<internal::Not_segment> search(boundary, others, jet.point, jet.normal(), most);
+  // along a spiral segment no disc touches twice: another place is on another segment
+  const auto others = [&](std::uint32_t e, const auto& visit) {
+    const internal::Boundary_element& other = boundary.element(e);
+    if (other.segment != boundary.element(p.element).segment) visit(other.first, other.last);
+  };
+  internal::Disc_search search(boundary, others, jet, most);
   search.search();
-  Maximal_discs_2::Disc disc{curves.unit().out(search.center()), curves.unit().out(search.radius()), std::nullopt};
+  Maximal_discs_2::Disc disc{curves.unit().out(search.disc().center), curves.unit().out(search.disc().radius),
+                             std::nullopt};
   if (search.is_found()) disc.touches = boundary.curve_place(search.place());
   return disc;
 }

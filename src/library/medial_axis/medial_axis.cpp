@@ -2,10 +2,11 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of medial_axis/medial_axis.h.
+// Bodies of medial_axis/medial_axis.h, but for clearance_path(), and of medial_axis/Medial_axis_2.h.
 //
 //   curves -> parts that bound regions -> boundary of segments and corners -> parts between discs -> vertices and edges
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
@@ -17,7 +18,6 @@
 #include "Axis_builder.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,7 @@ void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_ax
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const bool is_needed = i + 1 == samples.size() ||
                            !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
-                           is_good(samples[i].center, samples[i].radius);
+                           is_good(samples[i]);
     if (is_needed) samples[kept++] = samples[i];
   }
   samples.resize(kept);
@@ -101,21 +102,17 @@ void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_ax
 
 // Brackets of all vertices. Where a disc of one of these, or of any of many samples, has a curve in it, it is left out:
 // what rounding may have made of decisions would be seen there. The first and the last ones of an edge are the
-// vertices.
+// vertices. The error is the most by which a vertex's disc misses one of its touches, or its center's distance from all
+// curves.
 void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop, Medial_axis_2& axis) {
   constexpr double ROUNDING = 64;  // times the resolution
-  const auto is_empty_within = [&](const Xy<double>& center, double radius, double rounding) {
+  const auto is_empty = [&](const Xy<double>& center, double radius, double rounding) {
     Closest_search search(curves, center, radius - rounding * boundary.resolution());
     search.search();
     return !search.result().has_value();
   };
-  const auto is_empty = [&](const Xy<double>& center, double radius) {
-    return is_empty_within(center, radius, ROUNDING);
-  };
   // samples that may be left out are to be better
-  const auto is_good = [&](const Xy<double>& center, double radius) {
-    return is_empty_within(center, radius, ROUNDING / 2);
-  };
+  const auto is_good = [&](const Medial_axis_2::Sample& s) { return is_empty(s.center, s.radius, ROUNDING / 2); };
   const bool has_hidden_turns = boundary.hidden_height() > 0;
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
@@ -125,7 +122,7 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
                                 (has_hidden_turns && is_at_corner(samples, i)) || is_outlier(samples, i, axis.eps);
-      if (is_looked_at && !is_empty(samples[i].center, samples[i].radius)) is_wrong_edge[edge] = 1;
+      if (is_looked_at && !is_empty(samples[i].center, samples[i].radius, ROUNDING)) is_wrong_edge[edge] = 1;
     }
   };
   for_each_by_place(
@@ -137,22 +134,16 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
         (v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front()))
             ->distance;
     const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
-    if (!is_known_empty && !is_empty(v.center, v.radius)) is_wrong_vertex[vertex] = 1;
+    if (!is_known_empty && !is_empty(v.center, v.radius, ROUNDING)) is_wrong_vertex[vertex] = 1;
   };
   for_each_by_place(
       loop, RANGE_SIZE, axis.vertices.size(), [&](std::size_t i) { return axis.vertices[i].center; }, check_vertex);
   leave_out(is_wrong_vertex, is_wrong_edge, axis);
-  for (const Medial_axis_2::Vertex& v : axis.vertices)
+  for (const Medial_axis_2::Vertex& v : axis.vertices) {
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
-}
-
-/// The most by which a vertex's disc misses one of its touches, or its center's distance from all curves.
-[[nodiscard]] double most_miss(const Segment_hierarchy& curves, const Medial_axis_2& axis) {
-  double most = axis.error;
-  for (const Medial_axis_2::Vertex& v : axis.vertices)
     for (const Curve_place& p : v.touches)
-      most = (std::max)(most, std::fabs(euclidean_norm(point_at(curves, p) - v.center) - v.radius));
-  return most;
+      axis.error = (std::max)(axis.error, std::fabs(euclidean_norm(point_at(curves, p) - v.center) - v.radius));
+  }
 }
 
 // An axis that has another number of branches than Euler's relation is not whole, whatever its discs are; and discs
@@ -162,14 +153,13 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 }
 
 [[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Asked_axis& asked, double hidden) {
-  const Axis_boundary boundary = axis_boundary(parts, hidden);
+  const Axis_boundary boundary(parts, hidden);
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
   const double eps = (std::max)(asked.eps, LEAST * boundary.size());
   const auto made = [&](bool is_joining) {
     Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, asked.loop).build();
     axis.eps = eps;
     check_discs(parts.segments, boundary, asked.loop, axis);
-    axis.error = most_miss(parts.segments, axis);
     return axis;
   };
   Medial_axis_2 axis = made(false);
@@ -201,9 +191,9 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
 
 /// How curves are moved, in sizes.
 struct Move {
-  double by, close;               // the latter is how close walls are that meet
-  bool are_bent = false;          // inner control points have ways of their own
-  double hidden = HIDDEN_HEIGHT;  // how far curves may be beside what is seen of them
+  double by, close;                              // the latter is how close walls are that meet
+  bool are_bent = false;                         // inner control points have ways of their own
+  double hidden = Axis_boundary::HIDDEN_HEIGHT;  // how far curves may be beside what is seen of them
 };
 
 /// Each curve elsewhere, in a direction of its own.
@@ -244,7 +234,7 @@ struct Move {
   const std::size_t tries =
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
   const double size = coordinate_size(curves.drawing());
-  Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size, HIDDEN_HEIGHT);
+  Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size, Axis_boundary::HIDDEN_HEIGHT);
   for (std::uint32_t seed = 0; seed < tries && !is_whole(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
     Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), asked, move.close * size, move.hidden);
@@ -258,12 +248,99 @@ struct Move {
 
 }  // namespace
 
-Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps, const Medial_axis_2::Options& options,
-                          Index_loop loop) {
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box) {
+  const Xy<double> p[4] = {
+      {box.xmin(), box.ymin()}, {box.xmax(), box.ymin()}, {box.xmax(), box.ymax()}, {box.xmin(), box.ymax()}};
+  std::vector<Bezier_curve_2<double>> sides;
+  for (std::size_t i = 0; i < 4; ++i)
+    sides.push_back(Bezier_curve_2<double>(std::vector<Xy<double>>{p[i], p[(i + 1) % 4]}));
+  drawing.add(std::move(sides), "frame");
+  return drawing;
+}
+
+CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing) {
+  CGAL::Bbox_2 box;
+  for (const auto& curve : drawing.curves())
+    for (const auto& piece : curve.beziers)
+      for (const Xy<double>& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+  return box;
+}
+
+Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
+  const CGAL::Bbox_2 box = control_box(drawing);
+  if (drawing.curves().empty())
+    throw std::invalid_argument(expected("drawing", "at least one curve to be framed", "none"));
+  const CGAL::Bbox_2 wide(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
+  if (!(wide.xmin() < box.xmin() && box.xmax() < wide.xmax() && wide.ymin() < box.ymin() && box.ymax() < wide.ymax()))
+    throw std::invalid_argument(expected("margin", "a number above 0 that coordinates resolve", margin));
+  return framed(std::move(drawing), wide);
+}
+
+void internal::check_frame(const Drawing_2<double>& drawing) {
+  if (drawing.curves().empty()) return;
+  Drawing_2<double> frame;
+  frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
+  if (!frame.curves().front().is_closed)
+    throw std::invalid_argument(expected("last curve", "a closed frame", "an open curve"));
+  const Bounding_arc_tree_2 curves(frame);
+  const Point_location_2 location(curves);
+  for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
+    const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
+    if (!certainly(location.locate(p) == ON_BOUNDED_SIDE))
+      throw std::invalid_argument(expected("curve " + text_of(i), "a curve within the last one, the frame",
+                                           "one that starts at " + text_of(p)));
+  }
+}
+
+Medial_axis_2 internal::medial_axis(const Bounding_arc_tree_2& curves, double eps,
+                                    const Medial_axis_2::Options& options, Index_loop loop) {
   check_above_zero("eps", eps);
   if (options.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());
   return out(curves.unit(), resolved_axis(curves.in_unit(), {options, curves.unit().tolerance_in(eps), loop}));
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+// Whether an axis is in order.
+
+[[nodiscard]] static bool is_disc(const Xy<double>& center, double radius) {
+  return std::isfinite(center.x) && std::isfinite(center.y) && std::isfinite(radius) && radius >= 0;
+}
+[[nodiscard]] static bool is_on_curve(const Curve_place& p) { return p.t >= 0 && p.t <= 1; }
+
+[[nodiscard]] static bool is_valid(const Medial_axis_2::Vertex& v, double error) {
+  return is_disc(v.center, v.radius) && std::all_of(v.touches.begin(), v.touches.end(), is_on_curve) &&
+         v.clearance.lower <= v.clearance.upper && v.clearance.upper - v.radius <= error &&
+         v.radius - v.clearance.lower <= error;
+}
+
+// No disc of an edge lies in the one before or behind it: the axis is of discs in no larger ones.
+[[nodiscard]] static bool is_valid(const Medial_axis_2::Edge& e, double eps) {
+  for (std::size_t i = 0; i < e.samples.size(); ++i) {
+    const Medial_axis_2::Sample& s = e.samples[i];
+    if (!is_disc(s.center, s.radius) || !is_on_curve(s.left) || !is_on_curve(s.right)) return false;
+    if (i == 0) continue;
+    const Medial_axis_2::Sample& before = e.samples[i - 1];
+    if (!(std::fabs(s.radius - before.radius) <= euclidean_norm(s.center - before.center) + eps)) return false;
+  }
+  return e.samples.size() >= 2;
+}
+
+bool Medial_axis_2::is_valid() const {
+  if (!(eps >= 0) || !(error >= 0)) return false;
+  const auto is_sound = [this](const Medial_axis_2::Vertex& v) { return Bounding_arcs::is_valid(v, error); };
+  if (!std::all_of(vertices.begin(), vertices.end(), is_sound)) return false;
+  for (const Medial_axis_2::Edge& e : edges) {
+    if (!Bounding_arcs::is_valid(e, eps) || e.from >= vertices.size() || e.to >= vertices.size()) return false;
+    const auto is_at = [](const Medial_axis_2::Sample& s, const Medial_axis_2::Vertex& v) {
+      return s.center == v.center && s.radius == v.radius;
+    };
+    if (!is_at(e.samples.front(), vertices[e.from]) || !is_at(e.samples.back(), vertices[e.to])) return false;
+  }
+  return status != Medial_axis_2::Status::COMPLETE || vertices.size() + holes == edges.size() + regions;
+}
+
+}  // namespace CGAL::Bounding_arcs

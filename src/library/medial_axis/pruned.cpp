@@ -10,7 +10,6 @@
 #include "../tree/Segment_hierarchy.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -23,24 +23,29 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Calls work(i) for i = 0, ..., count - 1.
+/// \param at_once how many follow each other in one thread
+template <class Work> void for_each_in_turn(Index_loop loop, std::size_t at_once, std::size_t count, const Work& work) {
+  loop((count + at_once - 1) / at_once, [&](std::size_t k) {
+    for (std::size_t i = k * at_once; i < (std::min)((k + 1) * at_once, count); ++i) work(i);
+  });
+}
+
 class Axis_start {
  public:
   Axis_start(Axis_parts& parts, Index_loop loop)
       : parts_(parts), boundary_(parts.boundary()), starts_(boundary_.rings().size()) {
     const auto count = static_cast<std::uint32_t>(starts_.size());
-    loop_over_ranges(loop, count, [&](std::size_t r, std::size_t end) {
-      Leaf_finder finder(boundary_);
-      for (; r < end; ++r) {
-        starts_[r].found = finder.leaves(static_cast<std::uint32_t>(r));
-        starts_[r].most = farthest(boundary_.rings()[r]);
-      }
+    for_each_in_turn(loop, RANGE_SIZE, count, [&](std::size_t r) {
+      starts_[r].found = Leaf_finder(boundary_).leaves(static_cast<std::uint32_t>(r));
+      starts_[r].most = farthest(boundary_.rings()[r]);
     });
     find_links(loop);
     for (std::uint32_t r = 0; r < count; ++r) add_ring(r);
     add_leaves();
     for (const std::uint32_t r : unlinked_)
       if (!starts_[r].has_shared_leaf) unresolved_.push_back(boundary_(rightmost(boundary_.rings()[r])).point);
-    parts_.add_all_fragments();
+    for (std::uint32_t i = 0; i < parts_.arcs.size(); ++i) parts_.add_fragments(i);
     for (const Link& l : links_) join(l);
     collect_parts();
   }
@@ -64,8 +69,7 @@ class Axis_start {
   };
   struct Link {
     Boundary_place own, other;
-    Xy<double> center;
-    double radius;
+    Touching_disc disc;
   };
   // What follows an arc: a disc, none in rings without, and an arc.
   struct Next {
@@ -111,15 +115,16 @@ class Axis_start {
   // about it, a part has what is behind one of these, and what is before the next one.
   void add_leaves() {
     std::sort(touched_.begin(), touched_.end(), [](const Touched_arc& a, const Touched_arc& b) {
-      return a.leaf.center.x != b.leaf.center.x ? a.leaf.center.x < b.leaf.center.x : a.before < b.before;
+      return a.leaf.disc.center.x != b.leaf.disc.center.x ? a.leaf.disc.center.x < b.leaf.disc.center.x
+                                                          : a.before < b.before;
     });
     std::vector<bool> is_done(touched_.size(), false);
     for (std::size_t i = 0; i < touched_.size(); ++i) {
       if (is_done[i]) continue;
       std::vector<std::size_t> same{i};
-      for (std::size_t k = i + 1; k < touched_.size() && is_near(touched_[k].leaf.center.x, touched_[i].leaf.center.x);
-           ++k)
-        if (!is_done[k] && are_same(touched_[i].leaf, touched_[k].leaf)) same.push_back(k), is_done[k] = true;
+      for (std::size_t k = i + 1;
+           k < touched_.size() && is_near(touched_[k].leaf.disc.center.x, touched_[i].leaf.disc.center.x); ++k)
+        if (!is_done[k] && are_same(touched_[i].leaf.disc, touched_[k].leaf.disc)) same.push_back(k), is_done[k] = true;
       add_leaf(same);
     }
   }
@@ -127,26 +132,26 @@ class Axis_start {
     constexpr double NEAR = 0x1p-40;  // of the size
     return std::fabs(x - y) <= NEAR * boundary_.size();
   }
-  [[nodiscard]] bool are_same(const Axis_leaf& a, const Axis_leaf& b) const {
+  [[nodiscard]] bool are_same(const Touching_disc& a, const Touching_disc& b) const {
     return a.radius > 0 && b.radius > 0 && is_near(a.radius, b.radius) && is_near(a.center.x, b.center.x) &&
            is_near(a.center.y, b.center.y);
   }
   void add_leaf(std::vector<std::size_t>& same) {
-    const Axis_leaf& disc = touched_[same.front()].leaf;
+    const Axis_leaf& first = touched_[same.front()].leaf;
     const auto angle = [&](std::size_t i) {
-      const Xy<double> way = boundary_(touched_[i].leaf.first).point - disc.center;
+      const Xy<double> way = boundary_(touched_[i].leaf.first).point - first.disc.center;
       return std::atan2(way.y, way.x);
     };
     if (same.size() > 1)
       std::sort(same.begin(), same.end(), [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
-    Axis_node node{same.size() > 1 ? Axis_node_kind::BRANCH : Axis_node_kind::LEAF, disc.center, disc.radius, {}};
+    Axis_node node{same.size() > 1 ? Axis_node_kind::BRANCH : Axis_node_kind::LEAF, first.disc, {}};
     for (const std::size_t i : same)
       node.touches.push_back(touched_[i].leaf.first), node.touches.push_back(touched_[i].leaf.last);
     const std::uint32_t number = add_node(node);
     for (const std::size_t i : same) {
       const std::uint32_t ring = boundary_.element(touched_[i].leaf.first.element).ring;
-      if (ring != boundary_.element(disc.first.element).ring)
-        starts_[ring].has_shared_leaf = starts_[boundary_.element(disc.first.element).ring].has_shared_leaf = true;
+      const std::uint32_t of_first = boundary_.element(first.first.element).ring;
+      if (ring != of_first) starts_[ring].has_shared_leaf = starts_[of_first].has_shared_leaf = true;
     }
     for (std::size_t k = 0; k < same.size(); ++k)
       next_[touched_[same[(k + 1) % same.size()]].before] = {number, touched_[same[k]].behind};
@@ -155,9 +160,8 @@ class Axis_start {
   // The links of all holes, of which none depends on another one.
   void find_links(Index_loop loop) {
     std::vector<std::optional<Link>> links(starts_.size());
-    loop_over_ranges(loop, links.size(), [&](std::size_t r, std::size_t end) {
-      for (; r < end; ++r)
-        if (!boundary_.rings()[r].is_outer) links[r] = link(static_cast<std::uint32_t>(r));
+    for_each_in_turn(loop, RANGE_SIZE, links.size(), [&](std::size_t r) {
+      if (!boundary_.rings()[r].is_outer) links[r] = link(static_cast<std::uint32_t>(r));
     });
     for (std::uint32_t r = 0; r < links.size(); ++r) {
       if (boundary_.rings()[r].is_outer) continue;
@@ -185,14 +189,6 @@ class Axis_start {
       }
     return link_at(r, extreme);
   }
-  struct Not_element {
-    const Axis_boundary& boundary;
-    std::uint32_t element;
-    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
-      const Boundary_element& other = boundary.element(e);
-      if (e != element && e != boundary.back_of(element)) visit(other.first, other.last);
-    }
-  };
   // Whether a leaf touches an arc that has a place.
   [[nodiscard]] bool is_on_leaf(const Boundary_place& p) const {
     const std::uint32_t ring = boundary_.element(p.element).ring;
@@ -204,15 +200,17 @@ class Axis_start {
     });
   }
   [[nodiscard]] std::optional<Link> link_at(std::uint32_t r, const Boundary_place& p) const {
-    const Boundary_jet jet = boundary_(p);
-    const Not_element others{boundary_, p.element};
-    Disc_search<Not_element> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
+    const auto others = [&](std::uint32_t e, const auto& visit) {
+      if (e != p.element && e != boundary_.back_of(p.element))
+        visit(boundary_.element(e).first, boundary_.element(e).last);
+    };
+    Disc_search search(boundary_, others, boundary_(p), boundary_.largest_radius());
     search.search();
     if (!search.is_found()) return std::nullopt;
     const Boundary_place q = search.place();
     if (!(starts_[boundary_.element(q.element).ring].most > starts_[r].most)) return std::nullopt;
     if (is_on_leaf(p) || is_on_leaf(q)) return std::nullopt;
-    return Link{p, q, search.center(), search.radius()};
+    return Link{p, q, search.disc()};
   }
 
   // The arc that ends at a place, and the one that goes on there: one and the same where a ring begins.
@@ -231,10 +229,10 @@ class Axis_start {
   void join(const Link& link) {
     const Opened own = opened(link.own), other = opened(link.other);
     if (own.before == NONE || other.before == NONE) {
-      unresolved_.push_back(link.center);
+      unresolved_.push_back(link.disc.center);
       return;
     }
-    const std::uint32_t node = add_node({Axis_node_kind::CUT, link.center, link.radius, {link.own, link.other}});
+    const std::uint32_t node = add_node({Axis_node_kind::CUT, link.disc, {link.own, link.other}});
     next_[own.before] = {node, other.behind};
     next_[other.before] = {node, own.behind};
   }
@@ -261,8 +259,7 @@ class Axis_start {
       unresolved_.push_back(boundary_(parts_.arcs[arc].from).point);
       return;
     }
-    const Axis_leaf& disc = ring.circle;
-    add_node({Axis_node_kind::LEAF, disc.center, disc.radius, {disc.first, disc.last}});
+    add_node({Axis_node_kind::LEAF, ring.circle.disc, {ring.circle.first, ring.circle.last}});
   }
 
   // Where a hole is farthest to the right, on the side that looks there.

@@ -7,7 +7,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_places.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "Axis_editor.h"
-#include "axis_units.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -6,9 +6,9 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include "../tree/Segment_hierarchy.h"
+#include "Axis_editor.h"
 #include "Bounding_parts.h"
 #include "Line_parts.h"
-#include "axis_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,6 @@ class Places {
   explicit Places(const Segment_hierarchy& curves) : curves_(curves) {}
 
   [[nodiscard]] Xy<double> point(const Curve_place& p) const { return internal::point_at(curves_, p); }
-  [[nodiscard]] bool is_on_left(const Xy<double>& q, const Curve_place& p) const {
-    const Curve_jet jet = curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t);
-    return cross(jet.first, q - jet.point) > 0;
-  }
   [[nodiscard]] std::uint32_t count(std::uint32_t curve) const {
     return static_cast<std::uint32_t>(curves_.drawing().curves()[curve].beziers.size());
   }
@@ -62,87 +58,17 @@ class Places {
   const Segment_hierarchy& curves_;
 };
 
-/// Finds the arcs of boundaries that the disc of a vertex touches.
-class Touched_arcs {
- public:
-  Touched_arcs(const Bounding_parts& bounds, const Foot_runs& runs, double size)
-      : curves_(bounds.segments), runs_(runs), room_(ROOM * size), next_(2 * curves_.number_of_segments(), NONE) {
-    for (const Bounding_ring& ring : bounds.rings)
-      for (std::size_t i = 0; i < ring.way.size(); ++i)
-        next_[number_of(ring.way[i])] = number_of(ring.way[(i + 1) % ring.way.size()]);
-  }
-
-  /// \param to the same place as `from` where a ring is an arc that the disc touches
-  /// \return the way along the boundary, empty where the disc does not touch it from one place to the other one
-  [[nodiscard]] std::vector<Foot_run> between(const Curve_place& from, const Curve_place& to,
-                                              const Medial_axis_2::Vertex& v) const {
-    const std::vector<Foot_runs::Name> ends = runs_.names(to);
-    for (const Foot_runs::Name& start : runs_.names(from))
-      for (const std::uint32_t is_reversed : {0U, 1U}) {
-        std::vector<Foot_run> way = way_from(2 * start.segment + is_reversed, start.t, ends, v);
-        if (!way.empty()) return way;
-      }
-    return {};
-  }
-
- private:
-  [[nodiscard]] static std::uint32_t number_of(const Directed_segment& s) {
-    return 2 * s.segment + (s.is_reversed ? 1 : 0);
-  }
-  [[nodiscard]] double start_of(std::uint32_t side) const {
-    const Spiral_piece_2 piece = curves_.piece(side / 2);
-    return side % 2 != 0 ? piece.last.t : piece.first.t;
-  }
-  [[nodiscard]] std::vector<Foot_run> way_from(std::uint32_t side, double t, const std::vector<Foot_runs::Name>& ends,
-                                               const Medial_axis_2::Vertex& v) const {
-    std::vector<Foot_run> way;
-    for (std::size_t sides = 0; sides <= next_.size() && side != NONE; ++sides) {
-      const Spiral_piece_2 piece = curves_.piece(side / 2);
-      const bool is_reversed = side % 2 != 0;
-      Foot_run run;
-      run.segment = side / 2, run.from = t, run.to = is_reversed ? piece.first.t : piece.last.t;
-      bool is_there = false;
-      for (const Foot_runs::Name& end : ends) {
-        const bool is_ahead = is_reversed ? run.to <= end.t && end.t <= t : t <= end.t && end.t <= run.to;
-        // a way that begins where it ends goes all round
-        if (end.segment == run.segment && is_ahead && (end.t != t || !way.empty())) run.to = end.t, is_there = true;
-      }
-      if (run.from != run.to) {
-        if (!is_touched(run, v)) return {};
-        way.push_back(run);
-      }
-      if (is_there) return way;
-      side = next_[side];
-      if (side != NONE) t = start_of(side);
-    }
-    return {};
-  }
-  // Whether a part of a segment, which is a spiral, is an arc of the vertex's circle, and the vertex to its left.
-  [[nodiscard]] bool is_touched(const Foot_run& run, const Medial_axis_2::Vertex& v) const {
-    const double middle = run.from + 0.5 * (run.to - run.from);
-    for (const double t : {run.from, middle, run.to})
-      if (std::fabs(euclidean_norm(curves_.sample(run.segment, t).point - v.center) - v.radius) > room_) return false;
-    const Spiral_sample m = curves_.sample(run.segment, middle);
-    return (cross(m.tangent, v.center - m.point) > 0) == run.is_growing();
-  }
-
-  static constexpr double ROOM = 0x1p-36;  // of the size; all points of the boundary are as right
-  static constexpr std::uint32_t NONE = Bounding_parts::NO_LABEL;
-
-  const Segment_hierarchy& curves_;
-  const Foot_runs& runs_;
-  double room_;
-  std::vector<std::uint32_t> next_;  // in rings, by segment: 2 segment + (1 where it is reversed)
-};
-
 /// Goes along the boundary of all regions by both sides of each edge: the right feet run along it, the left ones
 /// against the edge's direction. Where a disc touches an arc of the boundary, feet go on along that.
 class Cell_walk {
  public:
   Cell_walk(const Bounding_parts& bounds, const Medial_axis_2& axis)
       : places_(bounds.segments), curves_(bounds.segments), size_(coordinate_size(curves_.drawing())),
-        least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_), arcs_(bounds, runs_, size_),
-        axis_(axis) {
+        least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_), axis_(axis),
+        next_in_ring_(2 * curves_.number_of_segments(), NONE) {
+    for (const Bounding_ring& ring : bounds.rings)
+      for (std::size_t i = 0; i < ring.way.size(); ++i)
+        next_in_ring_[ring.way[i].side()] = ring.way[(i + 1) % ring.way.size()].side();
     link();
   }
 
@@ -154,7 +80,8 @@ class Cell_walk {
       for (std::size_t at = side; !is_done[at]; at = next_[at]) {
         is_done[at] = true;
         for (std::size_t k = 0; k + 1 < size(at); ++k) cycle.push_back(line(at, k));
-        add_arcs(end_of(at), foot(at, size(at) - 1), foot(next_[at], 0), cycle);
+        const Curve_place &last = foot(at, size(at) - 1), &next = foot(next_[at], 0);
+        if (places_.distance(last, next) > least_) add_way(end_of(at), last, next, cycle);
       }
       add_runs(cycle);
     }
@@ -229,14 +156,61 @@ class Cell_walk {
   }
 
   // Adds the arcs that a vertex touches from one foot to the next one.
-  void add_arcs(std::size_t vertex, const Curve_place& last, const Curve_place& next, std::vector<Line>& cycle) const {
-    if (places_.distance(last, next) > least_) add_way(vertex, last, next, cycle);
-  }
   void add_way(std::size_t vertex, const Curve_place& last, const Curve_place& next, std::vector<Line>& cycle) const {
-    for (const Foot_run& run : arcs_.between(last, next, axis_.vertices[vertex]))
+    for (const Foot_run& run : arcs_between(last, next, axis_.vertices[vertex]))
       cycle.push_back({0, 0, curves_.place_at(run.segment, run.from), curves_.place_at(run.segment, run.to), 0,
                        run.is_growing() ? 1 : -1, vertex});
   }
+  // The arcs of the boundary that the disc of a vertex touches between two places.
+  // \param to the same place as `from` where a ring is an arc that the disc touches
+  // \return the way along the boundary, empty where the disc does not touch it from one place to the other one
+  [[nodiscard]] std::vector<Foot_run> arcs_between(const Curve_place& from, const Curve_place& to,
+                                                   const Medial_axis_2::Vertex& v) const {
+    const std::vector<Foot_runs::Name> ends = runs_.names(to);
+    for (const Foot_runs::Name& start : runs_.names(from))
+      for (const std::uint32_t is_reversed : {0U, 1U}) {
+        std::vector<Foot_run> way = way_from(2 * start.segment + is_reversed, start.t, ends, v);
+        if (!way.empty()) return way;
+      }
+    return {};
+  }
+  [[nodiscard]] double start_of(std::uint32_t side) const {
+    const Spiral_piece_2 piece = curves_.piece(side / 2);
+    return side % 2 != 0 ? piece.last.t : piece.first.t;
+  }
+  [[nodiscard]] std::vector<Foot_run> way_from(std::uint32_t side, double t, const std::vector<Foot_runs::Name>& ends,
+                                               const Medial_axis_2::Vertex& v) const {
+    std::vector<Foot_run> way;
+    for (std::size_t sides = 0; sides <= next_in_ring_.size() && side != NONE; ++sides) {
+      const Spiral_piece_2 piece = curves_.piece(side / 2);
+      const bool is_reversed = side % 2 != 0;
+      Foot_run run{side / 2, t, is_reversed ? piece.first.t : piece.last.t};
+      bool is_there = false;
+      for (const Foot_runs::Name& end : ends) {
+        const bool is_ahead = is_reversed ? run.to <= end.t && end.t <= t : t <= end.t && end.t <= run.to;
+        // a way that begins where it ends goes all round
+        if (end.segment == run.segment && is_ahead && (end.t != t || !way.empty())) run.to = end.t, is_there = true;
+      }
+      if (run.from != run.to) {
+        if (!is_touched(run, v)) return {};
+        way.push_back(run);
+      }
+      if (is_there) return way;
+      side = next_in_ring_[side];
+      if (side != NONE) t = start_of(side);
+    }
+    return {};
+  }
+  // Whether a part of a segment, which is a spiral, is an arc of the vertex's circle, and the vertex to its left.
+  [[nodiscard]] bool is_touched(const Foot_run& run, const Medial_axis_2::Vertex& v) const {
+    const double middle = run.from + 0.5 * (run.to - run.from);
+    for (const double t : {run.from, middle, run.to})
+      if (std::fabs(euclidean_norm(curves_.sample(run.segment, t).point - v.center) - v.radius) > ROOM * size_)
+        return false;
+    const Spiral_sample m = curves_.sample(run.segment, middle);
+    return (cross(m.tangent, v.center - m.point) > 0) == run.is_growing();
+  }
+
   // The cells of a disc that is all of a region, which has no edge.
   void add_disc(std::size_t vertex) {
     const std::vector<Curve_place>& touches = axis_.vertices[vertex].touches;
@@ -298,15 +272,17 @@ class Cell_walk {
     else cell.rim.push_back({number, from, to, l.beyond});
   }
 
+  static constexpr std::uint32_t NONE = Bounding_parts::NO_LABEL;
+  static constexpr double ROOM = 0x1p-36;   // of the size; all points of the boundary are as right
   static constexpr double LEAST = 0x1p-42;  // of the size: lengths below are nothing
 
   Places places_;
   const Segment_hierarchy& curves_;
   double size_, least_;  // the latter: places no farther apart are one
   Foot_runs runs_;
-  Touched_arcs arcs_;
   const Medial_axis_2& axis_;
-  std::vector<std::size_t> next_;  // side 2i is the right one of edge i, 2i + 1 the left one
+  std::vector<std::size_t> next_;            // side 2i is the right one of edge i, 2i + 1 the left one
+  std::vector<std::uint32_t> next_in_ring_;  // sides of segments
   std::vector<Medial_axis_2::Cell> cells_;
 };
 

@@ -36,6 +36,8 @@ using Checked_vector = Xy<Checked_number>;
 [[nodiscard]] inline Checked_number length(const Checked_vector& v) {
   return CGAL::sqrt(CGAL::square(v.x) + CGAL::square(v.y));
 }
+/// A point in the middle of its enclosure.
+[[nodiscard]] inline Xy<double> middle(const Checked_vector& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
 /// The most that the number can be.
 [[nodiscard]] inline double most_of(const Checked_number& x) {
   return (std::max)(std::fabs(x.inf()), std::fabs(x.sup()));
@@ -301,8 +303,7 @@ template <class Is_in>
       pieces.begin(), pieces.end(),
       [&](const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) { return way(a) < way(b); });
   const Checked_point p = point_at(*longest, 0.5);
-  const Xy<double> at{CGAL::to_double(p.point.x), CGAL::to_double(p.point.y)},
-      tangent{CGAL::to_double(p.derivative.x), CGAL::to_double(p.derivative.y)};
+  const Xy<double> at = middle(p.point), tangent = middle(p.derivative);
   // far from the origin a drawing is less than a billionth of its coordinates
   double extent = 0;
   for (const Xy<double>& q : longest->control_points())

@@ -9,7 +9,6 @@
 #define BOUNDING_ARCS_LIBRARY_VERIFY_AXIS_TILING_H
 
 #include "Axis_checker_curves.h"
-#include "Axis_tiles.h"
 #include "Checked_axis.h"
 
 #include <algorithm>
@@ -25,6 +24,7 @@ namespace CGAL::Bounding_arcs::verify {
 
 class Axis_tiling {
  public:
+  using Fault = Axis_verification::Fault;
   explicit Axis_tiling(Checked_axis& of) : of_(of) {}
 
   /// The part of the boundary between two feet.
@@ -32,10 +32,9 @@ class Axis_tiling {
   [[nodiscard]] std::optional<Axis_tile> tile_of(const Curve_place& begin, const Curve_place& end,
                                                  const Medial_axis_2::Sample& first,
                                                  const Medial_axis_2::Sample& last) const {
-    const auto plain = tile_between(of_.curves, names_of(of_.curves, begin, of_.room),
-                                    names_of(of_.curves, end, of_.room), first, last, of_.room);
+    const auto plain = of_.tile_between(of_.names_of(begin), of_.names_of(end), first, last);
     if (plain || !of_.options.is_framed) return plain;
-    return tile_between(of_.curves, all_names(begin), all_names(end), first, last, of_.room);
+    return of_.tile_between(all_names(begin), all_names(end), first, last);
   }
 
   void add(const Axis_tile& tile) { tiles_.push_back(tile); }
@@ -89,14 +88,13 @@ class Axis_tiling {
         s.end = feet.begins.back(), s.is_whole = true;
         feet.begins.pop_back();
       }
-      if (!feet.begins.empty()) of_.find(Axis_verification::Fault::TILING, "foot at " + text_of(feet.begins.front()));
+      if (!feet.begins.empty()) of_.find(Fault::TILING, "foot at " + text_of(feet.begins.front()));
     }
   }
   // The boundary between the feet of a sector is an arc of a curve that is there in place of tiles.
   void check_sectors() {
     for (const Sector& s : sectors_)
-      if (!s.is_whole || !is_beside_touched_arc(s))
-        of_.find(Axis_verification::Fault::TILING, "foot at " + text_of(s.begin));
+      if (!s.is_whole || !is_beside_touched_arc(s)) of_.find(Fault::TILING, "foot at " + text_of(s.begin));
   }
   // In a frame either foot may have the name of another wall, which goes on from the arc.
   [[nodiscard]] bool is_beside_touched_arc(const Sector& s) const {
@@ -134,11 +132,11 @@ class Axis_tiling {
         rings += is_wanted ? 1 : 0;
         if (is_wanted) check_side(i, is_left);
         else if (!tiled(i, is_left).empty())
-          of_.find(Axis_verification::Fault::TILING, "a side without a region of curve " + std::to_string(i));
+          of_.find(Fault::TILING, "a side without a region of curve " + std::to_string(i));
       }
     }
     if (!of_.options.is_framed && rings != of_.axis.regions + of_.axis.holes)
-      of_.find(Axis_verification::Fault::EULER, "sides of curves that bound a region");
+      of_.find(Fault::EULER, "sides of curves that bound a region");
   }
   static bool is_on_left(const Axis_tile& t) { return t.begin.t < t.end.t; }
   [[nodiscard]] std::vector<Range>& tiled(std::size_t curve, bool is_left) { return tiled_[is_left ? 0 : 1][curve]; }
@@ -178,7 +176,7 @@ class Axis_tiling {
       of_.result.gap = (std::max)(of_.result.gap, gap);
       return;
     }
-    if (next < t) of_.find(Axis_verification::Fault::TILING, text_of(at(t)), gap);
+    if (next < t) of_.find(Fault::TILING, text_of(at(t)), gap);
     else if (is_touched_arc(of_.piece(at(t)), t, next)) ++touched_arcs_[curve];
     else gaps_.push_back({at(t), next, gap, is_left});
   }
@@ -192,7 +190,7 @@ class Axis_tiling {
   }
   // Whether curves run about the same way at two places.
   [[nodiscard]] bool is_along(const Curve_place& p, const Curve_place& q) const {
-    return CGAL::to_double(dot(point_at(of_.piece(p), p.t).derivative, point_at(of_.piece(q), q.t).derivative)) > 0;
+    return CGAL::to_double(dot(of_.jet(p).derivative, of_.jet(q).derivative)) > 0;
   }
   // Whether another piece has the place, and a tile there on the same side.
   [[nodiscard]] bool is_tiled_elsewhere(const Curve_place& at, bool is_left) const {
@@ -220,7 +218,7 @@ class Axis_tiling {
       if (!t.is_point && is_tiled_elsewhere(place_at(t, 0.5), is_on_left(t)))
         twice += distance(of_.point(t.begin), of_.point(t.end));
     }
-    if (twice > SHARE * of_.size) of_.find(Axis_verification::Fault::TILING, "walls that run along each other", twice);
+    if (twice > SHARE * of_.size) of_.find(Fault::TILING, "walls that run along each other", twice);
   }
   // What no disc touches. In a tip whose sides leave it alike they are one for a way: no region is between these.
   void check_gaps() {
@@ -240,7 +238,7 @@ class Axis_tiling {
         const Curve_place at{gap.from.curve, gap.from.bezier, t};
         is_nothing = is_beside_another(at) || is_tiled_elsewhere(at, gap.is_left);
       }
-      if (!is_nothing) of_.find(Axis_verification::Fault::TILING, text_of(gap.from), gap.length);
+      if (!is_nothing) of_.find(Fault::TILING, text_of(gap.from), gap.length);
     }
   }
   // By halving: such a part hardly turns. Where it does, another point is farther away.

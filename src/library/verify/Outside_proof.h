@@ -127,9 +127,6 @@ template <class NT> class Outside_proof {
   [[nodiscard]] double from_flat_region() const {
     const Xy<NT>& chord = boundary_.end;
     const double length = length_range(chord).lower;
-    const auto most = [](const NT& x) {
-      return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper));
-    };
     double curve = 0;
     for (std::size_t i = 0; i < piece_.weight.scaled_coefficients().size(); ++i) {
       const NT& w = piece_.weight.scaled_coefficients()[i];
@@ -138,7 +135,8 @@ template <class NT> class Outside_proof {
                    behind = range_of(NT(w * dot(chord, chord) - dot(chord, q))).lower;
       if (!(length > 0) || !(range_of(w).lower > 0)) return INFINITE;
       const double overshoot = (std::max)({0.0, -before, -behind});
-      curve = (std::max)(curve, (most(cross(chord, q)) + 2 * overshoot) / (length * range_of(w).lower) * ROUND_UP);
+      curve = (std::max)(
+          curve, (most_of(range_of(cross(chord, q))) + 2 * overshoot) / (length * range_of(w).lower) * ROUND_UP);
     }
     return (curve + (std::min)(height(boundary_.inner, length), height(boundary_.outer, length)) + 2 * slack_) *
            ROUND_UP;
@@ -146,23 +144,20 @@ template <class NT> class Outside_proof {
   // An upper bound of the distance of every point of a chain from the chord, and of the chord's from it; infinite if it
   // turns too much.
   [[nodiscard]] double height(const Seen_chain<NT>& chain, double length) const {
-    const auto most = [](const NT& x) {
-      return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper));
-    };
     const std::size_t n = chain.circles.size();
-    double sum = n == 2 ? most(cross(boundary_.end, chain.joint)) / length : 0;
+    double sum = n == 2 ? most_of(range_of(cross(boundary_.end, chain.joint))) / length : 0;
     for (std::size_t i = 0; i < n; ++i) {
       const Seen_circle<NT>& c = chain.circles[i];
       const Xy<NT> from = i == 0 ? Xy<NT>{} : chain.joint, to = i + 1 == n ? boundary_.end : chain.joint,
                    way = to - from;
-      const double ahead = most(cross(c.normal, way)), aside = most(dot(c.normal, way));
+      const double ahead = most_of(range_of(cross(c.normal, way))), aside = most_of(range_of(dot(c.normal, way)));
       if (!(aside < ahead) || !(range_of(dot(way, boundary_.end)).lower > 0)) return INFINITE;
       // an arc that leaves its chord by an angle up to a half of a right one is at most sin / 2 times as high as the
       // chord is long
       sum += aside / c.length.lower;
       for (const Xy<NT>& end : {from, to}) {
         const Xy<NT> v = end - c.point;
-        sum += c.distance(most(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v))));
+        sum += c.distance(most_of(range_of(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v)))));
       }
     }
     return sum * ROUND_UP;

@@ -11,7 +11,6 @@
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include "Weighted_piece.h"
-#include "sign_on_interval.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve piece relative to a point, as polynomials in the Bernstein basis over exact numbers or double-doubles, and
-// the two number types' common conversions.
+// What proofs have in common: a curve piece relative to a point, as polynomials in the Bernstein basis over exact
+// numbers or double-doubles, conversions of these, and proofs of polynomials' signs over them and over intervals.
 
 #ifndef BOUNDING_ARCS_LIBRARY_VERIFY_WEIGHTED_PIECE_H
 #define BOUNDING_ARCS_LIBRARY_VERIFY_WEIGHTED_PIECE_H
@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
@@ -22,24 +22,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::verify {
 
-/// A floating number over NT, an exact type or Double_double: without error.
-template <class NT, class Source> [[nodiscard]] NT number_from(const Source& x) {
-  if constexpr (!std::is_same_v<NT, Double_double>) {
-    return Exact_number<Source>::make(x);
-  } else {
-    const double hi = static_cast<double>(x);
-    return Double_double(hi, static_cast<double>(x - hi), 0);
-  }
-}
-template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) {
-  return {number_from<NT>(p.x), number_from<NT>(p.y)};
-}
+using internal::number_from;
 
 inline constexpr double INFINITE = std::numeric_limits<double>::infinity();
 [[nodiscard]] inline Bracket range_of(const Double_double& x) {
@@ -56,13 +45,42 @@ template <class Exact> [[nodiscard]] Bracket range_of(const Exact& x) {
 /// Room for the few roundings of a formula in doubles whose result is to be an upper or lower bound.
 inline constexpr double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
 
+/// The most that the number can be.
+[[nodiscard]] inline double most_of(const Bracket& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); }
 /// A vector's length, between doubles.
 template <class NT> [[nodiscard]] Bracket length_range(const Xy<NT>& v) {
-  const auto most = [](const Bracket& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); };
   const auto least = [](const Bracket& r) { return r.lower > 0 ? r.lower : (r.upper < 0 ? -r.upper : 0.0); };
   const Bracket x = range_of(v.x), y = range_of(v.y);
   return {stable_norm(Xy<double>{least(x), least(y)}) * ROUND_DOWN,
-          stable_norm(Xy<double>{most(x), most(y)}) * ROUND_UP};
+          stable_norm(Xy<double>{most_of(x), most_of(y)}) * ROUND_UP};
+}
+
+// Proofs that a polynomial is nowhere negative on [0, 1], from the signs of its Bernstein coefficients.
+
+/// What came of a proof.
+enum class Proof { PROVEN, DISPROVED, UNDECIDED };
+
+/// -1, 0 or +1, or nothing where errors leave it open.
+template <class Exact> [[nodiscard]] std::optional<int> certain_sign(const Exact& x) {
+  return static_cast<int>(CGAL::sign(x));
+}
+[[nodiscard]] inline std::optional<int> certain_sign(const Double_double& x) { return x.sign(); }
+[[nodiscard]] inline std::optional<int> certain_sign(const Mpfr_interval& x) {
+  const int sign = x.certain_sign();
+  return sign != 0 ? std::optional<int>(sign) : std::nullopt;
+}
+
+/// Whether p >= 0 on all of [0, 1].
+/// \param depth how often to halve before giving up: a sign that needs finer parts than that is as good as a root
+template <class NT> [[nodiscard]] Proof prove_nonnegative(const Bernstein_polynomial<NT>& p, int depth = 30) {
+  const auto& c = p.scaled_coefficients();
+  const auto is_nonnegative = [](const NT& x) { return certain_sign(x).value_or(-1) >= 0; };
+  if (certain_sign(c.front()) == -1 || certain_sign(c.back()) == -1) return Proof::DISPROVED;
+  if (std::all_of(c.begin(), c.end(), is_nonnegative)) return Proof::PROVEN;
+  if (depth == 0 || !is_nonnegative(c.front()) || !is_nonnegative(c.back())) return Proof::UNDECIDED;
+  const auto halves = p.halves();
+  const Proof head = prove_nonnegative(halves.first, depth - 1);
+  return head == Proof::PROVEN ? prove_nonnegative(halves.second, depth - 1) : head;
 }
 
 /// The piece [t0, t1] of a curve minus a point: (x, y) / weight over [0, 1] in units of the curve's table, weight > 0.

@@ -26,9 +26,11 @@ double exact_bound(const internal::Proven_piece& piece, const Region_boundary_2<
   return verify::Outside_proof<Exact_rational>(piece, boundary, goal, origin).bound();
 }
 
+}  // namespace
+
 template <class FT>
-double bound(const internal::Proven_piece& piece, const Region_boundary_2<FT>& boundary, double goal,
-             Boundary_origin origin) {
+double internal::proven_bound(const Proven_piece& piece, const Region_boundary_2<FT>& boundary, double goal,
+                              Boundary_origin origin) {
   // Double-doubles whose errors cut no ends off or let no sign be told, as those of high degrees, have bounds far above
   // any distance that is seen.
   constexpr double FAR = 2;
@@ -40,40 +42,20 @@ double bound(const internal::Proven_piece& piece, const Region_boundary_2<FT>& b
 }
 
 template <class FT>
-bool holds(const internal::Proven_piece& piece, const Region_boundary_2<FT>& boundary, double widening) {
+bool internal::is_proven_within(const Proven_piece& piece, const Region_boundary_2<FT>& boundary, double widening) {
   // A search that ends at the widening leaves no room for what joints add to it. What ends are cut off by depends on
   // the goal in steps, so that a lower one may tell less: the middle one is near to where a widening was found.
   for (const double goal : {widening, 0.64 * widening, 0.5 * widening})
-    if (bound(piece, boundary, goal, Boundary_origin::PLANE) <= widening) return true;
+    if (proven_bound(piece, boundary, goal, Boundary_origin::PLANE) <= widening) return true;
   return is_finite(boundary) && exact_bound(piece, boundary, widening / 2, Boundary_origin::PLANE) <= widening;
 }
 
-}  // namespace
+template double internal::proven_bound(const Proven_piece&, const Region_boundary_2<float>&, double, Boundary_origin);
+template bool internal::is_proven_within(const Proven_piece&, const Region_boundary_2<float>&, double);
+template double internal::proven_bound(const Proven_piece&, const Region_boundary_2<double>&, double, Boundary_origin);
+template bool internal::is_proven_within(const Proven_piece&, const Region_boundary_2<double>&, double);
+template double internal::proven_bound(const Proven_piece&, const Region_boundary_2<long double>&, double,
+                                       Boundary_origin);
+template bool internal::is_proven_within(const Proven_piece&, const Region_boundary_2<long double>&, double);
 
-namespace internal {
-
-double proven_bound(const Proven_piece& piece, const Region_boundary_2<float>& boundary, double goal,
-                    Boundary_origin origin) {
-  return bound(piece, boundary, goal, origin);
-}
-double proven_bound(const Proven_piece& piece, const Region_boundary_2<double>& boundary, double goal,
-                    Boundary_origin origin) {
-  return bound(piece, boundary, goal, origin);
-}
-double proven_bound(const Proven_piece& piece, const Region_boundary_2<long double>& boundary, double goal,
-                    Boundary_origin origin) {
-  return bound(piece, boundary, goal, origin);
-}
-
-bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<float>& boundary, double widening) {
-  return holds(piece, boundary, widening);
-}
-bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<double>& boundary, double widening) {
-  return holds(piece, boundary, widening);
-}
-bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<long double>& boundary, double widening) {
-  return holds(piece, boundary, widening);
-}
-
-}  // namespace internal
 }  // namespace CGAL::Bounding_arcs

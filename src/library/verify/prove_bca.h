@@ -9,12 +9,12 @@
 #ifndef BOUNDING_ARCS_LIBRARY_VERIFY_PROVE_BCA_H
 #define BOUNDING_ARCS_LIBRARY_VERIFY_PROVE_BCA_H
 
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 #include "Weighted_piece.h"
-#include "sign_on_interval.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
@@ -79,23 +79,23 @@ struct Parameter_range {
   Rational low{0}, high{1};
 };
 
+/// The polynomial over the range as over [0, 1], times what clears denominators.
+[[nodiscard]] inline Integer_polynomial restricted(const Integer_polynomial& p, const Parameter_range& range) {
+  const std::vector<Integer> ends =
+      cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+  return p.restricted(ends[0], ends[1], ends[2], ends[3]);
+}
 /// Whether p >= 0 in the range, its roots at 0 and 1 left out.
 [[nodiscard]] inline Proof prove_nonnegative_but_at_ends(const Integer_polynomial& p, const Parameter_range& range) {
   Integer_polynomial rest = without_roots(p, common_zeros(p, p, true), common_zeros(p, p, false));
-  if (range.low != 0 || range.high != 1) {
-    const std::vector<Integer> ends =
-        cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
-    rest = rest.restricted(ends[0], ends[1], ends[2], ends[3]);
-  }
+  if (range.low != 0 || range.high != 1) rest = restricted(rest, range);
   return prove_nonnegative(rest);
 }
 
 /// An upper bound of the distance from an end of all points with parameters in the range; infinite if unknown.
 [[nodiscard]] inline double reach(const End_view& v, const Parameter_range& range) {
-  const std::vector<Integer> ends =
-      cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
   const auto part = [&](const Integer_polynomial& p) {
-    return p.elevated(v.x.degree()).restricted(ends[0], ends[1], ends[2], ends[3]).scaled_coefficients();
+    return restricted(p.elevated(v.x.degree()), range).scaled_coefficients();
   };
   const std::vector<Integer> x = part(v.x), y = part(v.y), weight = part(v.weight);
   double r = 0;
@@ -113,6 +113,47 @@ struct Parameter_range {
   const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
   return frame_at_origin(convert_shape<Mpfr_interval>(shape, number));
 }
+
+/// A piece, its shape and the parameters that are asked for, in intervals of one precision.
+class Piece_in_intervals {
+ public:
+  using Polynomial = Bernstein_polynomial<Mpfr_interval>;
+
+  Piece_in_intervals(const Containment_piece& piece, const Chord_shape_2<Rational>& f, const Parameter_range& range,
+                     mpfr_prec_t bits)
+      : piece_(piece), f_(f), range_(range), bits_(bits), scale_(piece.tight.scale, bits), x_(interval(piece.tight.x)),
+        y_(interval(piece.tight.y)), weight_(interval(piece.tight.weight)) {
+    if (!f.tight_first) tight_end_ = {interval(f.chord.x), interval(f.chord.y)};
+  }
+
+ protected:
+  [[nodiscard]] Mpfr_interval interval(const Rational& x) const { return Mpfr_interval(x, bits_); }
+  [[nodiscard]] Polynomial interval(const Integer_polynomial& p) const {
+    std::vector<Mpfr_interval> c;
+    for (const Integer& x : p.scaled_coefficients()) c.push_back(interval(Rational(x)));
+    return Polynomial::from_scaled(std::move(c));
+  }
+  [[nodiscard]] Proof prove_between(const Polynomial& p, const Rational& low, const Rational& high) const {
+    return prove_nonnegative(
+        p.restricted(interval(low), interval(Rational(1 - low)), interval(high), interval(Rational(1 - high))));
+  }
+  /// -1 or +1, or 0 where that is open.
+  [[nodiscard]] int sign_at(const Polynomial& p, const Rational& s) const {
+    return p.homogeneous_value(interval(s), interval(Rational(1 - s))).certain_sign();
+  }
+  /// Positive where the curve has passed the line across a direction through a point.
+  [[nodiscard]] Polynomial passed(const Xy<Mpfr_interval>& direction, const Xy<Mpfr_interval>& p) const {
+    return scale_ * (direction.x * x_ + direction.y * y_) - dot(direction, p - tight_end_) * weight_;
+  }
+
+  const Containment_piece& piece_;
+  const Chord_shape_2<Rational>& f_;
+  const Parameter_range& range_;
+  mpfr_prec_t bits_;
+  Mpfr_interval scale_;
+  Polynomial x_, y_, weight_;  // from the tight end
+  Xy<Mpfr_interval> tight_end_;
+};
 
 [[nodiscard]] inline Containment_piece containment_piece(const internal::Relative_piece<Rational>& piece,
                                                          const Chord_shape_2<Rational>& f) {
@@ -226,6 +267,29 @@ struct Parameter_range {
   const int turn = f.turn < 0 ? -1 : 1;
   const Proof outer = prove_side(piece, f, region.outer[0].support, turn, range);
   return outer == Proof::PROVEN ? prove_side(piece, f, region.inner[0].support, -turn, range) : outer;
+}
+
+// Shapes of pieces that were cut a little past a vertex.
+
+// Past a vertex by a few spacings of parameters the curvature exceeds its end value, by about the square of that
+// spacing over the piece's length as a share of what it differs from the chord circle's; more where it changes quickly.
+// Each share is tried in turn while the region stays thin enough. The first adds no more than 2^-44 of itself to a
+// region's thickness.
+inline constexpr double SLIVER_SLACKS[] = {0x1p-44, 0x1p-24, 0x1p-10, 0x1p-4};
+
+/// The shape with the tight end's curvature raised and the flat end's lowered, each by a share of how far it is from
+/// that of the circle over the chord: a region that holds the curve although an end was cut past a vertex.
+[[nodiscard]] inline Chord_shape_2<Rational> with_curvature_bounds(Chord_shape_2<Rational> f, double share) {
+  const Rational cc = dot(f.chord, f.chord);
+  if (!f.infinite0) {
+    f.curvature0 += Rational(share) * f.kneser0 / cc;
+    f.kneser0 *= Rational(1 + share);
+  }
+  if (!f.infinite1) {
+    f.curvature1 -= Rational(share) * f.kneser1 / cc;
+    f.kneser1 *= Rational(1 + share);
+  }
+  return f;
 }
 
 }  // namespace CGAL::Bounding_arcs::verify

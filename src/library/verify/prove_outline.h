@@ -58,19 +58,13 @@ namespace CGAL::Bounding_arcs::verify {
   return (size == 3 || size == 4) && outline.inner.size() == size;
 }
 
-/// A piece and the strip about it, in intervals of one precision.
-class Strip_proof {
+/// A piece and the strip about it.
+class Strip_proof : Piece_in_intervals {
  public:
-  using Polynomial = Bernstein_polynomial<Mpfr_interval>;
   using Chain = std::vector<Boundary_piece_2<Mpfr_interval>>;
 
-  Strip_proof(const Containment_piece& piece, const Chord_shape_2<Rational>& f, const Parameter_range& range,
-              const Region_outline_2<Mpfr_interval>& outline, mpfr_prec_t bits)
-      : piece_(piece), f_(f), range_(range), outline_(outline), bits_(bits), scale_(piece.tight.scale, bits),
-        x_(interval(piece.tight.x)), y_(interval(piece.tight.y)), weight_(interval(piece.tight.weight)) {
-    const auto number = [bits](const Rational& r) { return Mpfr_interval(r, bits); };
-    if (!f.tight_first) tight_end_ = {number(f.chord.x), number(f.chord.y)};
-  }
+  Strip_proof(const Piece_in_intervals& piece, const Region_outline_2<Mpfr_interval>& outline)
+      : Piece_in_intervals(piece), outline_(outline) {}
 
   [[nodiscard]] Proof contained() const {
     if (!is_strip(outline_)) return Proof::UNDECIDED;
@@ -84,11 +78,6 @@ class Strip_proof {
   }
 
  private:
-  [[nodiscard]] Polynomial interval(const Integer_polynomial& p) const {
-    std::vector<Mpfr_interval> c;
-    for (const Integer& x : p.scaled_coefficients()) c.emplace_back(Rational(x), bits_);
-    return Polynomial::from_scaled(std::move(c));
-  }
   // How far the curve is ahead of its start or behind its end along v, without the root there.
   [[nodiscard]] Polynomial ahead(const Xy<Mpfr_interval>& v, bool at_start) const {
     const bool at_tight = at_start == f_.tight_first;
@@ -103,11 +92,6 @@ class Strip_proof {
     return two * scale_ * (weight_ * (n.x * x_ + n.y * y_)) - c.curvature * scale_ * scale_ * (x_ * x_ + y_ * y_) -
            level * (weight_ * weight_);
   }
-  [[nodiscard]] Proof prove_between(const Polynomial& p, const Rational& low, const Rational& high) const {
-    const auto number = [this](const Rational& r) { return Mpfr_interval(r, bits_); };
-    return prove_nonnegative(
-        p.restricted(number(low), number(Rational(1 - low)), number(high), number(Rational(1 - high))));
-  }
   // To the right sides of the two arcs of that number, for parameters between low and high.
   [[nodiscard]] Proof prove_arcs(std::size_t i, const Rational& low, const Rational& high) const {
     const Mpfr_interval side(outline_.inner_is_left ? 1 : -1);
@@ -118,14 +102,13 @@ class Strip_proof {
   [[nodiscard]] Proof prove_both_arcs() const {
     const auto& first = outline_.outer[1];
     const Xy<Mpfr_interval> v = direction_at(first, first.to);
-    const Polynomial past = scale_ * (v.x * x_ + v.y * y_) - dot(v, first.to - tight_end_) * weight_;
+    const Polynomial past = passed(v, first.to);
     const Polynomial to_flat = f_.tight_first ? past : Mpfr_interval(-1) * past;  // rises from the tight end on
     Rational low = range_.low, high = range_.high;
     constexpr int HALVINGS = 9;  // the widest range about the joint in which neighbours of a thin strip hold the curve
     for (int i = 0; i < HALVINGS; ++i) {
       const Rational s = (low + high) / 2;
-      const int sign =
-          to_flat.homogeneous_value(Mpfr_interval(s, bits_), Mpfr_interval(Rational(1 - s), bits_)).certain_sign();
+      const int sign = sign_at(to_flat, s);
       if (sign == 0) break;
       (sign < 0 ? low : high) = s;
     }
@@ -140,38 +123,8 @@ class Strip_proof {
     return holds ? Proof::PROVEN : Proof::UNDECIDED;
   }
 
-  const Containment_piece& piece_;
-  const Chord_shape_2<Rational>& f_;
-  const Parameter_range& range_;
   const Region_outline_2<Mpfr_interval>& outline_;
-  mpfr_prec_t bits_;
-  Mpfr_interval scale_;
-  Polynomial x_, y_, weight_;
-  Xy<Mpfr_interval> tight_end_;
 };
-
-/// The piece is in the region within its outline, or in the BCA where that is what it steps back to.
-[[nodiscard]] inline Proof prove_outline(const internal::Proven_construction& construction,
-                                         const Containment_piece& piece, const Chord_shape_2<Rational>& f,
-                                         const Parameter_range& range) {
-  if (construction.polygon) {
-    Chord_shape_2<Rational> shape = f;
-    shape.unit = 1;
-    const auto outline = construction.polygon(frame_at_origin(shape));
-    if (outline.form == Outline_form::BCA) return prove_bca(piece, f, range);
-    return prove_in_polygon(piece, f, outline, range);
-  }
-  constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
-  for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
-    try {
-      const auto outline = construction.strip(enclosed_frame(f, bits));
-      if (outline.form == Outline_form::BCA) return prove_bca(piece, f, range);
-      if (Strip_proof(piece, f, range, outline, bits).contained() == Proof::PROVEN) return Proof::PROVEN;
-    } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
-    }
-  }
-  return Proof::UNDECIDED;
-}
 
 /// |p - s|^2, s the nearest point of a segment.
 [[nodiscard]] inline Rational squared_distance(const Xy<Rational>& p, const Boundary_piece_2<Rational>& segment) {
@@ -218,27 +171,56 @@ class Strip_proof {
   return true;  // the segments at the ends are no longer than what is between the arcs there
 }
 
-/// Whether no point of the outer side of the exact outline is farther from the inner side than `length`, in units of
-/// the shape; nothing where the region steps back to BCA.
-[[nodiscard]] inline std::optional<bool> prove_outline_thickness(const internal::Proven_construction& construction,
-                                                                 Chord_shape_2<Rational> shape,
-                                                                 const Rational& length) {
+/// What is proven of the outline that a construction makes of a shape, with lengths in units of the shape.
+/// \param of_polygon Proof(outline), in exact numbers
+/// \param of_strip Proof(outline, bits), in intervals, of which precision rises until it is PROVEN
+/// \return nothing where the region steps back to BCA
+template <class Of_polygon, class Of_strip>
+[[nodiscard]] std::optional<Proof> proof_of_outline(const internal::Proven_construction& construction,
+                                                    Chord_shape_2<Rational> shape, const Of_polygon& of_polygon,
+                                                    const Of_strip& of_strip) {
   if (construction.polygon) {
     shape.unit = 1;
     const auto outline = construction.polygon(frame_at_origin(shape));
     if (outline.form == Outline_form::BCA) return std::nullopt;
-    return prove_polygon_thickness(outline, length);
+    return of_polygon(outline);
   }
   constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
   for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
     try {
       const auto outline = construction.strip(enclosed_frame(shape, bits));
       if (outline.form == Outline_form::BCA) return std::nullopt;
-      if (prove_strip_thickness(outline, Mpfr_interval(length, bits))) return true;
+      if (of_strip(outline, bits) == Proof::PROVEN) return Proof::PROVEN;
     } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
     }
   }
-  return false;
+  return Proof::UNDECIDED;
+}
+
+/// The piece is in the region within its outline, or in the BCA where that is what it steps back to.
+[[nodiscard]] inline Proof prove_outline(const internal::Proven_construction& construction,
+                                         const Containment_piece& piece, const Chord_shape_2<Rational>& f,
+                                         const Parameter_range& range) {
+  const std::optional<Proof> proof = proof_of_outline(
+      construction, f, [&](const auto& outline) { return prove_in_polygon(piece, f, outline, range); },
+      [&](const auto& outline, mpfr_prec_t bits) {
+        return Strip_proof({piece, f, range, bits}, outline).contained();
+      });
+  return proof ? *proof : prove_bca(piece, f, range);
+}
+
+/// Whether no point of the outer side of the exact outline is farther from the inner side than `length`, in units of
+/// the shape; nothing where the region steps back to BCA.
+[[nodiscard]] inline std::optional<bool> prove_outline_thickness(const internal::Proven_construction& construction,
+                                                                 const Chord_shape_2<Rational>& shape,
+                                                                 const Rational& length) {
+  const auto proof_if = [](bool holds) { return holds ? Proof::PROVEN : Proof::UNDECIDED; };
+  const std::optional<Proof> proof = proof_of_outline(
+      construction, shape, [&](const auto& outline) { return proof_if(prove_polygon_thickness(outline, length)); },
+      [&](const auto& outline, mpfr_prec_t bits) {
+        return proof_if(prove_strip_thickness(outline, Mpfr_interval(length, bits)));
+      });
+  return proof ? std::optional(*proof == Proof::PROVEN) : std::nullopt;
 }
 
 }  // namespace CGAL::Bounding_arcs::verify

@@ -4,16 +4,15 @@
 //
 // Bodies of verify/verify_region.h.
 
-#include "Osculating_proof.h"
 #include "Thickness_proof.h"
 #include "prove_outline.h"
-#include "with_curvature_bounds.h"
 
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
@@ -23,6 +22,130 @@ namespace {
 using internal::Exact_piece;
 using internal::Proven_construction;
 using internal::Region_question;
+
+// Containment in spiral fat arcs and bilens.  Each boundary is two pieces with a joint.  The piece on an osculating
+// circle is proven over integers (the triple root divides out exactly); the other piece and the joint hold
+// square roots and are proven in MPFR intervals of rising precision:
+//   a parameter s splits the curve: on one part it keeps to its side of the second piece's circle or line, on the other
+//   it has not yet passed the normal line at the joint, beyond which that second piece lies.
+// So the curve, which starts between the two boundaries, crosses neither.
+
+/// A strict spiral piece and its boundary as the construction makes it, with the piece's start at the origin and
+/// lengths in units of the shape.
+class Osculating_proof : Piece_in_intervals {
+ public:
+  Osculating_proof(const Proven_construction& construction, const Piece_in_intervals& piece)
+      : Piece_in_intervals(piece), tight_(piece_.tight), flat_(piece_.flat),
+        boundary_(construction.enclosed(enclosed_frame(f_, bits_))) {}
+
+  /// What the construction came out as: BCA where its own is not defined.
+  [[nodiscard]] Region_form form() const { return boundary_.form; }
+
+  /// Neither boundary is crossed. \pre form() is SPIRAL_FAT_ARC or BILENS
+  [[nodiscard]] Proof contained() const {
+    const bool segments = form() == Region_form::SPIRAL_FAT_ARC,
+               infinite = f_.tight_first ? f_.infinite0 : f_.infinite1;
+    const Rational k_tight = f_.tight_first ? f_.curvature0 : f_.curvature1;
+    const Rational k_flat = f_.tight_first ? f_.curvature1 : f_.curvature0;
+    // inner: the tight end's osculating circle and what follows it; where that circle is a point, the one piece left
+    Proof proof = !infinite ? prove_osculating(tight_, k_tight, -1)
+                            : (segments ? prove_chord() : prove_chord_circle(piece_, false, -1, range_));
+    if (proof == Proof::PROVEN && !infinite) proof = prove_inner_joint(segments);
+    // outer: the flat end's osculating circle, and before it a contact circle or the tangent at the tight end
+    if (proof == Proof::PROVEN) proof = prove_osculating(flat_, k_flat, +1);
+    if (proof == Proof::PROVEN) proof = segments ? prove_tangent() : prove_outer_joint();
+    return proof;
+  }
+
+ private:
+  using Piece = Boundary_piece_2<Mpfr_interval>;
+
+  // The piece at the tight or flat end of a chain of two, and the joint.
+  [[nodiscard]] const Piece& piece_at(const Boundary_chain_2<Mpfr_interval>& chain, bool tight) const {
+    return chain[tight == f_.tight_first ? 0 : 1];
+  }
+  [[nodiscard]] static const Xy<Mpfr_interval>& joint(const Boundary_chain_2<Mpfr_interval>& chain) {
+    return chain[0].to;
+  }
+  // of lines from the tight end to the flat one: left where the curve turns left on the way
+  [[nodiscard]] int turn() const { return f_.tight_first ? f_.turn : -f_.turn; }
+
+  // curvature of the shape: K = curvature c / n^3, so curvature |tangent| is 2 curvature / n^2 in the shape's units
+  [[nodiscard]] Proof prove_osculating(const End_view& v, const Rational& curvature, int side) const {
+    const std::vector<Integer> k = cleared<Rational>({dot(v.tangent, v.tangent), Rational(f_.turn) * 2 * curvature *
+                                                                                     Rational(v.stretch) * v.scale})
+                                       .numbers;
+    return prove_nonnegative_but_at_ends(Integer(side) * (k[0] * v.bend - k[1] * v.square), range_);
+  }
+  // Proves that the piece is on the outer side of the chord.
+  [[nodiscard]] Proof prove_chord() const {
+    return prove_nonnegative_but_at_ends(Integer(-turn()) * tight_.along(perp(piece_.chord)), range_);
+  }
+  // Proves that the piece is on the inner side of the tight end's tangent.
+  [[nodiscard]] Proof prove_tangent() const {
+    return prove_nonnegative_but_at_ends(tight_.along(tight_.inward), range_);
+  }
+
+  // The side of the contact circle of a piece that touches the curve at this end.
+  [[nodiscard]] Polynomial contact(const End_view& v, const Piece& piece, bool at_tight) const {
+    const Xy<Mpfr_interval> inward{interval(Rational(v.inward.x)), interval(Rational(v.inward.y))};
+    const Mpfr_interval k = Mpfr_interval(f_.turn) * piece.support.curvature * sqrt(dot(inward, inward)) *
+                            interval(v.scale);  // the support's normal has length 1
+    const std::size_t n = common_zeros(v.bend, v.square, at_tight);
+    return without_roots(interval(v.bend) - k * interval(v.square), at_tight ? n : 0, at_tight ? 0 : n);
+  }
+
+  [[nodiscard]] Proof prove_inner_joint(bool is_segment) const {
+    const Piece& second = piece_at(boundary_.inner, false);
+    const Xy<Mpfr_interval> j = joint(boundary_.inner);
+    if (!is_segment) return prove_joint(contact(flat_, second, false), false, -1, passed(second, j));
+    // the segment's line through the flat end: cross of its direction, seen from the tight end, with the curve
+    const Xy<Mpfr_interval> line = f_.tight_first ? second.to - second.from : second.from - second.to;
+    const Polynomial beyond = Mpfr_interval(turn()) * (line.x * interval(flat_.y) - line.y * interval(flat_.x));
+    return prove_joint(without_roots(beyond, 0, common_zeros(flat_.x, flat_.y, false)), false, -1, passed(line, j));
+  }
+  [[nodiscard]] Proof prove_outer_joint() const {
+    const Piece& first = piece_at(boundary_.outer, true);
+    return prove_joint(contact(tight_, first, true), true, +1, passed(first, joint(boundary_.outer)));
+  }
+
+  // Positive where the curve has passed the normal line at the joint: of a circle, or in a direction.
+  using Piece_in_intervals::passed;
+  [[nodiscard]] Polynomial passed(const Piece& circle, const Xy<Mpfr_interval>& j) const {
+    const Xy<Mpfr_interval> n = circle.support.normal_at(j);
+    const Xy<Mpfr_interval> tangent{n.y, -n.x};
+    return passed(f_.tight_first ? tangent : -tangent, j);
+  }
+  // A piece that ends at a joint, at the tight or at the flat end: on the joint's one side the curve keeps to the
+  // piece's side, on the other it lies beyond the normal line at the joint, where the piece is not.
+  [[nodiscard]] Proof prove_joint(const Polynomial& piece, bool at_tight, int side, const Polynomial& passed) const {
+    const Polynomial on_side = Mpfr_interval(side) * piece, beyond = Mpfr_interval(at_tight ? 1 : -1) * passed;
+    const std::optional<Rational> s = parameter_between(on_side, beyond, at_tight);
+    if (!s) return Proof::UNDECIDED;
+    const Proof kept = prove_between(on_side, at_tight ? range_.low : *s, at_tight ? *s : range_.high);
+    return kept == Proof::PROVEN ? prove_between(beyond, at_tight ? *s : range_.low, at_tight ? range_.high : *s)
+                                 : kept;
+  }
+  // A parameter at which the curve is on the piece's side and the normal line at the joint lies between it and the
+  // piece.  Found by halving: where the piece comes first the curve passes the normal before it leaves the piece's
+  // circle, where it comes last it enters before it passes.
+  [[nodiscard]] std::optional<Rational> parameter_between(const Polynomial& on_side, const Polynomial& beyond,
+                                                          bool at_tight) const {
+    Rational low = range_.low, high = range_.high;
+    for (mpfr_prec_t i = 0; i < bits_; ++i) {
+      const Rational s = (low + high) / 2;
+      const bool is_on_side = sign_at(on_side, s) > 0, is_beyond = sign_at(beyond, s) > 0;
+      if (is_on_side && is_beyond) return s;
+      if (at_tight ? !is_beyond : !is_on_side) low = s;
+      else high = s;
+    }
+    return std::nullopt;
+  }
+
+  const End_view& tight_;
+  const End_view& flat_;
+  Region_boundary_2<Mpfr_interval> boundary_;
+};
 
 /// What is left out at the ends of a piece, as shares of its parameters.
 struct Trims {
@@ -35,7 +158,7 @@ Proof prove_strict_piece(const Proven_construction& construction, const Containm
   constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // bits
   for (mpfr_prec_t precision = FIRST; precision <= LAST; precision *= 2) {
     try {
-      const Osculating_proof proof(construction, piece, f, range, precision);
+      const Osculating_proof proof(construction, {piece, f, range, precision});
       if (proof.form() == Region_form::BCA) return prove_bca(piece, f, range);
       const Proof result = proof.contained();
       if (result != Proof::UNDECIDED) return result;

@@ -66,19 +66,8 @@ class Bisector_2 {
   [[nodiscard]] std::vector<std::vector<Sample>> sample(double eps) const;
 
  private:
-  using Chains = std::vector<std::vector<Sample>>;
-  static constexpr int FIRST = 64;
-  static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-18;
-
   [[nodiscard]] Sample out(const Sample& s) const;
   [[nodiscard]] std::optional<Sample> disc_in_unit(double t) const;
-
-  [[nodiscard]] Chains chains_in_unit(double eps) const;
-
-  void add_between(double t0, const std::optional<Sample>& s0, double t1, const std::optional<Sample>& s1, double eps,
-                   Chains& chains) const;
-  [[nodiscard]] Sample end_between(double t0, const std::optional<Sample>& s0, double t1,
-                                   const std::optional<Sample>& s1) const;
 
   Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;

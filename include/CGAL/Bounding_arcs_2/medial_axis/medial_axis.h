@@ -15,7 +15,6 @@
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -51,12 +50,6 @@ using Index_loop = void (*)(std::size_t count, const std::function<void(std::siz
 template <class ConcurrencyTag> [[nodiscard]] Index_loop index_loop() {
   return &for_each_index<ConcurrencyTag, std::function<void(std::size_t)>>;
 }
-/// Calls work(begin, end) for ranges that together are 0, ..., count - 1.
-template <class Work> void loop_over_ranges(Index_loop loop, std::size_t count, const Work& work) {
-  loop((count + RANGE_SIZE - 1) / RANGE_SIZE,
-       [&](std::size_t i) { work(i * RANGE_SIZE, (std::min)((i + 1) * RANGE_SIZE, count)); });
-}
-
 // The search takes threads as an argument: it is compiled without any.
 [[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, double eps,
                                         const Medial_axis_2::Options& options, Index_loop loop);

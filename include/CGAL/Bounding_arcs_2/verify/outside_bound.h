@@ -29,6 +29,19 @@ enum class Boundary_origin { PLANE, PIECE };
 
 namespace internal {
 
+/// A number over NT, an exact type or, of a floating number, Double_double: without error.
+template <class NT, class Source> [[nodiscard]] NT number_from(const Source& x) {
+  if constexpr (!std::is_same_v<NT, Double_double>) {
+    return Exact_number<Source>::make(x);
+  } else {
+    const double high = static_cast<double>(x);
+    return Double_double(high, static_cast<double>(x - high), 0);
+  }
+}
+template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) {
+  return {number_from<NT>(p.x), number_from<NT>(p.y)};
+}
+
 /// A piece of a spiral segment as proofs see it: its tables and the first control point, in doubles with error bounds
 /// and, where these are asked for, in exact numbers. It refers to the segment.
 struct Proven_piece {
@@ -41,21 +54,11 @@ struct Proven_piece {
   template <class Spiral>
   Proven_piece(const Spiral& spiral, double begin, double end)
       : t0(begin), t1(end), rough_table(spiral.template table<Double_double>()),
-        exact_table([&spiral]() -> const auto& { return spiral.exact_table(); }), exact_first([&spiral] {
-          const auto& p = spiral.curve().control_points().front();
-          using Exact = Exact_number<std::decay_t<decltype(p.x)>>;
-          return Xy<Exact_rational>{Exact::make(p.x), Exact::make(p.y)};
-        }) {
+        exact_table([&spiral]() -> const auto& { return spiral.exact_table(); }),
+        exact_first([&spiral] { return number_from<Exact_rational>(spiral.curve().control_points().front()); }) {
     const auto& p = spiral.curve().control_points().front();
-    if constexpr (std::is_floating_point_v<std::decay_t<decltype(p.x)>>) {
-      const auto rough = [](auto x) {
-        const auto high = static_cast<double>(x);
-        return Double_double(high, static_cast<double>(x - high), 0);
-      };
-      rough_first = {rough(p.x), rough(p.y)};
-    } else {
-      rough_first = convert<Double_double>(exact_first());
-    }
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(p.x)>>) rough_first = number_from<Double_double>(p);
+    else rough_first = convert<Double_double>(exact_first());
   }
 
   template <class NT> [[nodiscard]] const Taylor_table<NT>& table() const {
@@ -68,20 +71,13 @@ struct Proven_piece {
   }
 };
 
-/// See outside_bound.
-[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<float>& boundary, double goal,
+/// See outside_bound. Compiled for float, double and long double.
+template <class FT>
+[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<FT>& boundary, double goal,
                                   verify::Boundary_origin origin);
-[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<double>& boundary, double goal,
-                                  verify::Boundary_origin origin);
-[[nodiscard]] double proven_bound(const Proven_piece& piece, const Region_boundary_2<long double>& boundary,
-                                  double goal, verify::Boundary_origin origin);
 /// See is_within.
-[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<float>& boundary,
-                                    double widening);
-[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<double>& boundary,
-                                    double widening);
-[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<long double>& boundary,
-                                    double widening);
+template <class FT>
+[[nodiscard]] bool is_proven_within(const Proven_piece& piece, const Region_boundary_2<FT>& boundary, double widening);
 
 }  // namespace internal
 

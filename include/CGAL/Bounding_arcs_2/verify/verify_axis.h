@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A check of a medial axis from its samples and the curves alone. It shares no code with what makes axes, and none with
-// the proof of their edges (medial_axis/axis_certificate.h).
+// A check of a medial axis from its samples and the curves alone. It shares no code but that of units with what makes
+// axes, and with the proof of their edges (medial_axis/axis_certificate.h).
 
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_VERIFY_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_VERIFY_AXIS_H
