@@ -91,6 +91,10 @@ TEST(OwnCurves, AreAsFarFromTheCenterOfACircle) {
   EXPECT_LE(found->distance.lower, 1);
   EXPECT_GE(found->distance.upper, 1);
   EXPECT_LE(found->distance.width(), 1e-12);
+  const auto any = closest_point(regions, CGAL::Epick::Point_2(0, 0), HUGE_VAL);  // whichever is looked at first
+  ASSERT_TRUE(any);
+  EXPECT_LE(any->distance.lower, 1);
+  EXPECT_NEAR(any->distance.upper, 1, 1e-12);
 }
 
 TEST(OwnCurves, TellWhatTheirErrorsLeaveOpen) {

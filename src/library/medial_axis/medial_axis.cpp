@@ -230,9 +230,9 @@ struct Move {
                             {0x1p-42, CLOSE_WALLS, true},
                             {0x1p-44, CLOSE_WALLS, false, 0x1p-42},
                             {0x1p-44, 0x1p-44, false, 0x1p-41}};
-  constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), FEW = 4, MANY = 64, SEGMENTS = 1 << 14;  // of all tries
+  constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), MANY = 64, SEGMENTS = 1 << 14;  // of all tries
   const std::size_t tries =
-      std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
+      std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), KINDS, MANY);
   const double size = coordinate_size(curves.drawing());
   Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size, Axis_boundary::HIDDEN_HEIGHT);
   for (std::uint32_t seed = 0; seed < tries && !is_whole(axis) && !axis.bounds->undecided; ++seed) {

@@ -97,7 +97,8 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
     open.push({(std::max)(0.0, lower), h, 0, 0, 0});
   };
   add_node(regions.root());
-  while (!open.empty() && open.top().lower < best.distance.upper - eps) {
+  // of an endless eps, too, for which the difference is no number at first
+  while (!open.empty() && !(open.top().lower >= best.distance.upper - eps)) {
     const Candidate c = open.top();
     open.pop();
     if (c.box) {

@@ -20,12 +20,14 @@
 namespace CGAL::Bounding_arcs {
 
 /// Bounding circular arcs: regions between two arcs over the chord. The traits are for every kernel.
-/// Two arcs over the chord. \tparam Construction Bca, or Near_linear_to_chord
+/// \tparam Construction Bca, or Near_linear_to_chord
 /// \code
 /// using Linear = CGAL::Simple_cartesian<double>;
 /// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-/// const Region_hierarchy_2<Bca_traits_2<Kernel>> tree(drawing, 1e-6);
-/// const auto boundary = Bca_traits_2<Kernel>().construct_region_boundary_2_object()(tree.region(tree.root()));
+/// const Region_hierarchy_2<Bca_traits_2<Kernel>> regions(tree, 1e-6);
+/// regions.for_each_leaf([&](const Node_handle& leaf) {
+///   const auto boundary = Bca_traits_2<Kernel>().construct_region_boundary_2_object()(regions.region(leaf));
+/// });
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Bca>
@@ -39,10 +41,10 @@ namespace internal {
 extern template Thickness_bound bound_exactly(const Bca&, const Chord_shape_2<Exact_rational>&, double);
 }  // namespace internal
 
-/// The traits of a tree that names none: bounding circular arcs over doubles, with exact predicates.
+/// The traits of regions that name none: bounding circular arcs over doubles, with exact predicates.
 /// \code
-/// const Region_hierarchy_2<Default_traits_2> tree(drawing);  // or Bounding_arc_tree_2 tree(drawing)
-/// const Default_traits_2::Kernel::Point_2 nearest = closest_point(tree, {1, 1})->point;
+/// const Region_hierarchy_2<Default_traits_2> regions(tree, 1e-6);  // or Region_hierarchy_2 regions(tree, 1e-6)
+/// const auto nearest = closest_point(regions, Default_traits_2::Kernel::Point_2(1, 1), 1e-6);
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 class Default_traits_2

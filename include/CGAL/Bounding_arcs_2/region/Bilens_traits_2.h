@@ -13,12 +13,12 @@
 namespace CGAL::Bounding_arcs {
 
 /// Bilens: regions between two biarcs. The traits are for kernels over a number type with square roots.
-/// Two biarcs. \tparam Construction Bilens, or Near_circular_to_bca<Bilens>
+/// \tparam Construction Bilens, or Near_circular_to_bca<Bilens>
 /// \code
 /// using Linear = CGAL::Simple_cartesian<double>;
 /// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-/// const Region_hierarchy_2<Bilens_traits_2<Kernel>> tree(drawing, 1e-6);
-/// std::cout << tree.number_of_leaves() << " regions\n";
+/// const Region_hierarchy_2<Bilens_traits_2<Kernel>> regions(tree, 1e-6);
+/// std::cout << regions.number_of_leaves() << " regions\n";
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Bilens>

@@ -134,12 +134,12 @@ template <class Construction> struct With_algebraic_boundary : Construction {
 
 /// Spiral fat arcs: regions between an arc with a segment and another segment with an arc. Over kernels without square
 /// roots joints are Circular_arc_point_2.
-/// Two arcs and two segments. \tparam Construction Spiral_fat_arc, or Near_circular_to_bca<Spiral_fat_arc>
+/// \tparam Construction Spiral_fat_arc, or Near_circular_to_bca<Spiral_fat_arc>
 /// \code
 /// using Linear = CGAL::Simple_cartesian<double>;
 /// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-/// const Region_hierarchy_2<Spiral_fat_arc_traits_2<Kernel>> tree(drawing, 1e-6);
-/// std::cout << tree.number_of_leaves() << " regions\n";
+/// const Region_hierarchy_2<Spiral_fat_arc_traits_2<Kernel>> regions(tree, 1e-6);
+/// std::cout << regions.number_of_leaves() << " regions\n";
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Spiral_fat_arc>
