@@ -374,6 +374,41 @@ TEST(Intersections, BesideEndsThatAreNotOneAreFound) {
     }
 }
 
+// The middle of such a curve has waves of 1e-6 of its size and less, of which doubles tell little.
+Bezier with_small_waves(int degree) {
+  Points points;
+  for (int i = 0; i <= degree; ++i) points.push_back({std::cos(2.7 * i), std::sin(1.9 * i)});
+  return Bezier(points);
+}
+TEST(Intersections, InSmallWavesAreThoseOfElimination) {
+  for (int degree = 8; degree <= 13; ++degree) {
+    const Bezier curve = with_small_waves(degree);
+    const auto found = ba::self_intersections(index_of({curve})).points;
+    const auto exact = ba::exact_self_intersections(ba::exact_bezier(curve)).points;
+    ASSERT_EQ(found.size(), exact.size()) << degree;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_TRUE(found[i].a.t.touches(exact[i].a) && found[i].b.t.touches(exact[i].b)) << degree;
+      EXPECT_EQ(found[i].kind, exact[i].kind) << degree;
+    }
+  }
+}
+// Elimination takes a quarter of a minute, and tells these.
+TEST(Intersections, InSmallWavesOfDegreeTwentyAreFound) {
+  Points points = with_small_waves(20).control_points();
+  points.back() = points.front();
+  const auto found = ba::self_intersections(index_of({Bezier(points)})).points;
+  const double expected[][2] = {{0.13633924787028015, 0.28232709792915298},
+                                {0.13643698180746291, 0.24498892866188111},
+                                {0.31117314888602857, 0.41596069363158148}};
+  ASSERT_EQ(found.size(), 3u);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_LE(found[i].a.t.lower, expected[i][0] + 1e-16);
+    EXPECT_GE(found[i].a.t.upper, expected[i][0] - 1e-16);
+    EXPECT_LE(found[i].b.t.lower, expected[i][1] + 1e-16);
+    EXPECT_GE(found[i].b.t.upper, expected[i][1] - 1e-16);
+  }
+}
+
 // Crossings of the polygon of samples with itself; sides next to each other have none.
 std::size_t sampled_crossings(const std::vector<Bezier>& chain) {
   constexpr int SAMPLES = 1 << 14;

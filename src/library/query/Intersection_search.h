@@ -13,11 +13,13 @@
 #include "Newton_box.h"
 #include "exact_intersections.h"
 #include "join_intersections.h"
+#include "nearer_look.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,6 +39,7 @@ namespace CGAL::Bounding_arcs {
 ///    backwards and then B run ahead in one direction u all the way, T.u > 0: such a path does not meet itself.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Intersection_search {
+  template <class> friend class Intersection_search;
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
   using Piece = Piece_in_hand<typename Curves::Region>;
 
@@ -80,10 +83,91 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
       for (const std::uint32_t bezier : a_.hidden_tips()) open_.emplace_back(bezier, bezier);
     std::sort(open_.begin(), open_.end());
     open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
-    keep_proven();
     if (exact())
-      for (const Pair& pair : open_) add_exactly(pair);
-    else add_undecided();
+      open_.erase(
+          std::remove_if(open_.begin(), open_.end(), [this](const Pair& beziers) { return is_seen_nearer(beziers); }),
+          open_.end());
+    keep_proven();
+    if (!exact()) return add_undecided();
+    for (const Pair& pair : open_) {
+      if (looks_ == 0) add_exactly(pair);
+      else found_.points.push_back({pair, {{0, 1}, {0, 1}, Intersection_kind::UNDECIDED}});
+    }
+  }
+
+  // Filter of elimination, where that takes long: see nearer_look.h. Ends, overlaps, tangencies and turns back are left
+  // open.
+  [[nodiscard]] bool is_seen_nearer(const Pair& beziers) {
+    constexpr int MOST_LOOKS = 3, LEAST = 64;  // of degrees' products
+    const auto [a, b] = beziers;
+    const bool is_own = is_self_ && a == b;
+    if (looks_ == MOST_LOOKS || a_.bezier(a).degree() * b_.bezier(b).degree() < LEAST) return false;
+    if (is_own && std::binary_search(a_.hidden_tips().begin(), a_.hidden_tips().end(), a)) return false;
+    const auto is_of_pair = [&](const internal::Newton_box& r) { return r.bezier_a == a && r.bezier_b == b; };
+    std::vector<internal::Newton_box> roots, found;
+    std::copy_if(roots_.begin(), roots_.end(), std::back_inserter(roots), is_of_pair);
+    const auto is_inside = [](const internal::Newton_box& r) { return r.is_inside(); };
+    if (!std::all_of(roots.begin(), roots.end(), is_inside)) return false;
+    for (const Numbered_point& place : places_of(beziers)) {
+      const Bracket &t = place.common.a, &s = place.common.b;
+      const auto is_there = [&](const internal::Newton_box& r) { return r.a.touches(t) && r.b.touches(s); };
+      const auto is_within = [&](const internal::Newton_box& r) {
+        return t.lower < r.a.lower && r.a.upper < t.upper && s.lower < r.b.lower && r.b.upper < s.upper;
+      };
+      for (const internal::Newton_box& r : roots)
+        if (is_there(r) && !is_within(r)) return false;
+      roots.erase(std::remove_if(roots.begin(), roots.end(), is_there), roots.end());  // they are found once more
+      if (!add_nearer(place, found)) return false;
+    }
+    roots_.erase(std::remove_if(roots_.begin(), roots_.end(), is_of_pair), roots_.end());
+    roots_.insert(roots_.end(), roots.begin(), roots.end());
+    roots_.insert(roots_.end(), found.begin(), found.end());
+    return true;
+  }
+  // Boxes with all that doubles leave open of two pieces, apart from each other. Where both are one, a box with equal
+  // parameters is a square about these.
+  [[nodiscard]] std::vector<Numbered_point> places_of(const Pair& beziers) const {
+    std::vector<Numbered_point> places;
+    for (const Numbered_point& o : undecided_)
+      if (o.beziers == beziers)
+        places.push_back({beziers, {internal::with_room(o.common.a), internal::with_room(o.common.b), o.common.kind}});
+    for (std::size_t count = 0; count != places.size();) {
+      count = places.size();
+      std::vector<Numbered_point> joined;
+      internal::add_clusters(std::move(places), joined);
+      places = std::move(joined);
+      for (Numbered_point& p : places)
+        if (is_self_ && beziers.first == beziers.second && p.common.a.touches(p.common.b))
+          p.common.a = p.common.b = {(std::min)(p.common.a.lower, p.common.b.lower),
+                                     (std::max)(p.common.a.upper, p.common.b.upper)};
+    }
+    return places;
+  }
+  // The common points in a box. \return false where they are not all told
+  [[nodiscard]] bool add_nearer(const Numbered_point& place, std::vector<internal::Newton_box>& found) const {
+    constexpr double MOST = 0x1p-2;  // of parts: larger ones are what they were
+    const auto [a, b] = place.beziers;
+    const Bracket &t = place.common.a, &s = place.common.b;
+    const auto is_part = [](const Bracket& r) { return 0 < r.lower && r.upper < 1 && r.width() < MOST; };
+    if (!is_part(t) || !is_part(s)) return false;
+    const bool is_square = is_self_ && a == b && t.touches(s);
+    if (is_square && does_run_ahead(place)) return true;
+    const auto look = internal::look_nearer(a_.exact_bezier(a), t, b_.exact_bezier(b), s);
+    if (!look) return false;
+    Intersection_search<> nearer = is_square ? Intersection_search<>(look->a) : Intersection_search<>(look->a, look->b);
+    nearer.looks_ = looks_ + 1;
+    const Numbered_intersections common = std::move(nearer).by_pieces();
+    const auto is_crossing = [](const Numbered_point& p) {
+      const Bracket &u = p.common.a, &v = p.common.b;
+      return p.common.kind == Intersection_kind::TRANSVERSAL && u.lower > 0 && u.upper < 1 && v.lower > 0 &&
+             v.upper < 1;
+    };
+    if (!common.overlaps.empty() || !std::all_of(common.points.begin(), common.points.end(), is_crossing)) return false;
+    for (const Numbered_point& p : common.points) {
+      const Bracket at = internal::parameter_on_whole(t, p.common.a), on = internal::parameter_on_whole(s, p.common.b);
+      found.push_back({a, b, at, on, at, on, a_.evaluator(a)(at.middle()).point});
+    }
+    return true;
   }
 
   [[nodiscard]] bool exact() const { return a_.decisions() == Decisions::EXACT && b_.decisions() == Decisions::EXACT; }
@@ -408,6 +492,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   const Curves &a_, &b_;
   Curve_joints joints_a_, joints_b_;
   bool is_self_ = false;
+  int looks_ = 0;  // how often parts were enlarged
   std::vector<internal::Newton_box> roots_;
   std::vector<Numbered_point> undecided_;  // between these parameters may be common points that doubles do not tell
   double error_ = 0;                       // of the two segments that are looked at
