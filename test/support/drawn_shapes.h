@@ -298,7 +298,7 @@ inline Drawing slots_with_short_ends(std::mt19937& random) {
     return numbers[static_cast<std::size_t>(whole(random, 0, static_cast<int>(numbers.size()) - 1))];
   };
   const double scale = std::pow(10, std::uniform_real_distribution<double>(0, 6.5)(random)),
-               half = one_of({1, 2, 2.5, 3.175, 4.2333335}), length = one_of({1, 5, 17.25}),
+               half = one_of({1, 2, 2.5, 3.175, 4.2333335}), length = one_of({0, 1, 5, 17.25}),
                radius = half * (1 - std::pow(10, std::uniform_real_distribution<double>(-8, -4)(random))),
                x = std::round(scale) + 0.25 * whole(random, 0, 40),
                y = std::round(scale / 2) + 0.25 * whole(random, 0, 40), right = x + length + 2 * half,

@@ -57,7 +57,7 @@ class Leaf_finder {
       i = last + 1;
     }
     // arcs that have a center each, next to each other, and so no empty disc
-    if (result.leaves.empty()) static_cast<void>(is_circle_within(MOST, ends, result));
+    if (result.leaves.empty() && !is_circle_within(MOST, ends, result)) add_maxima_of_ring(ends, result.leaves);
     return result;
   }
 
@@ -110,37 +110,44 @@ class Leaf_finder {
     std::size_t first, last;
   };
   void add_maxima(const std::vector<End>& ends, const Run& run, std::vector<Axis_leaf>& leaves) const {
+    if (!is_maximum(ends, run)) return;
+    const End &from = ends[run.first % ends.size()], &to = ends[run.last % ends.size()], &best = best_of(ends, run);
+    const std::vector<Run> parts = known_maxima(ends, run);
+    if (parts.size() < 2 || are_on_circle(best, from, to)) return add(best, from, to, leaves);
+    for (const Run& part : parts) add_maxima(ends, part, leaves);
+  }
+  // Where all ends have one value, from one on that may have any: those of a square that is nearly a circle.
+  void add_maxima_of_ring(const std::vector<End>& ends, std::vector<Axis_leaf>& leaves) const {
+    const auto unknown = std::find_if_not(ends.begin(), ends.end(), is_known);
+    if (unknown == ends.end()) return;
+    const auto first = static_cast<std::size_t>(unknown - ends.begin());
+    for (const Run& part : known_maxima(ends, {first, first + ends.size() - 1})) add_maxima(ends, part, leaves);
+  }
+  [[nodiscard]] static const End& best_of(const std::vector<End>& ends, const Run& run) {
+    std::size_t best = run.first;
+    for (std::size_t k = run.first; k <= run.last; ++k)
+      if (ends[k % ends.size()].error < ends[best % ends.size()].error) best = k;
+    return ends[best % ends.size()];
+  }
+  [[nodiscard]] static bool is_maximum(const std::vector<End>& ends, const Run& run) {
     const auto end = [&](std::size_t k) -> const End& { return ends[k % ends.size()]; };
-    const auto best_of = [&](const Run& of) -> const End& {
-      std::size_t best = of.first;
-      for (std::size_t k = of.first; k <= of.last; ++k)
-        if (end(k).error < end(best).error) best = k;
-      return end(best);
-    };
-    const auto is_maximum = [&](const Run& of) {
-      const End& best = best_of(of);
-      return best.value > best.error && is_less(end(of.first + ends.size() - 1), end(of.first)) &&
-             is_less(end(of.last + 1), end(of.last));
-    };
-    const auto add_run = [&](const Run& of) { add(best_of(of), end(of.first), end(of.last), leaves); };
-    if (!is_maximum(run)) return;
-    const std::vector<Run> parts = known_parts(ends, run);
-    const bool are_leaves = parts.size() > 1 && std::all_of(parts.begin(), parts.end(), is_maximum) &&
-                            !are_on_circle(best_of(run), end(run.first), end(run.last));
-    if (are_leaves) std::for_each(parts.begin(), parts.end(), add_run);
-    else add_run(run);
+    const End& best = best_of(ends, run);
+    return best.value > best.error && is_less(end(run.first + ends.size() - 1), end(run.first)) &&
+           is_less(end(run.last + 1), end(run.last));
   }
   // A short element may have any curvature but for rounding. Arcs before it and behind it have a center each where the
   // circle of all of them misses their points: the flats at the ends of a slot that is a little wider than its arcs.
-  [[nodiscard]] static std::vector<Run> known_parts(const std::vector<End>& ends, const Run& run) {
+  [[nodiscard]] static bool is_known(const End& e) { return e.error < e.value; }
+  /// \return nothing where one of those parts is no maximum
+  [[nodiscard]] static std::vector<Run> known_maxima(const std::vector<End>& ends, const Run& run) {
     std::vector<Run> parts;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      const End& end = ends[k % ends.size()];
-      if (!(end.error < end.value)) continue;
+      if (!is_known(ends[k % ends.size()])) continue;
       if (parts.empty() || parts.back().last + 1 != k) parts.push_back({k, k});
       parts.back().last = k;
     }
-    return parts;
+    const auto is_one = [&](const Run& part) { return is_maximum(ends, part); };
+    return std::all_of(parts.begin(), parts.end(), is_one) ? parts : std::vector<Run>();
   }
   // Whether all points between two ends are on the circle that a leaf there has.
   [[nodiscard]] bool are_on_circle(const End& best, const End& from, const End& to) const {
