@@ -159,8 +159,9 @@ class Axis_checker {
     }
   }
 
-  // A foot a little beside the normal changes a cell by as much, and the disc by its square. At a joint a curve may
-  // turn by less than what makes a corner.
+  // A foot a little beside the normal changes a cell by as much, and the disc by its square over twice the radius: where
+  // that is no more than rounding, no coordinate tells the foot. At a joint a curve may turn by less than what makes a
+  // corner.
   void expect_foot(const Axis_tile& tile, const Curve_place& foot, const Medial_axis_2::Sample& s,
                    const std::string& place) {
     constexpr double LEAST_TURN = 0x1p-21;
@@ -173,7 +174,8 @@ class Axis_checker {
     const double aside = most_of(dot(checked(s.center) - p.point, p.derivative)) / speed;
     of_.result.aside = (std::max)(of_.result.aside, aside);
     const bool is_joint = foot.t == 0 || foot.t == 1;
-    if (aside > of_.small() + (is_joint ? LEAST_TURN * s.radius : 0) && !is_beside_turn(foot, s))
+    const double most = (std::max)(of_.small(), std::sqrt(2 * s.radius * of_.room));
+    if (aside > most + (is_joint ? LEAST_TURN * s.radius : 0) && !is_beside_turn(foot, s))
       of_.find(Fault::FOOT, place, aside);
   }
   // A handle beside its node makes a curve turn within less than coordinates tell. A foot there is one of a curve that
