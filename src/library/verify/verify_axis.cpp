@@ -159,9 +159,9 @@ class Axis_checker {
     }
   }
 
-  // A foot a little beside the normal changes a cell by as much, and the disc by its square over twice the radius: where
-  // that is no more than rounding, no coordinate tells the foot. At a joint a curve may turn by less than what makes a
-  // corner.
+  // A foot a little beside the normal changes a cell by as much, and the disc by its square over twice the radius:
+  // where that is no more than rounding, no coordinate tells the foot. At a joint a curve may turn by less than what
+  // makes a corner.
   void expect_foot(const Axis_tile& tile, const Curve_place& foot, const Medial_axis_2::Sample& s,
                    const std::string& place) {
     constexpr double LEAST_TURN = 0x1p-21;
