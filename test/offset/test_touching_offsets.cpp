@@ -350,6 +350,33 @@ TEST(TouchingOffsets, OfCirclesFarAwayByTheirRadiusVanish) {
   }
 }
 
+// A circle from its point on the left in four pieces, of which the middle ones are longer.
+std::vector<Bezier> uneven_circle(const Point& center, double radius) {
+  const Point to = {-0.1352975, -0.9908050}, left{-radius, 0}, below = radius * to;
+  const std::vector<double> narrow{1, 0.7534246575342466, 1}, wide{1, 0.6575342465753425, 1};
+  const auto at = [&](const Point& p, double sign) { return center + sign * p; };
+  std::vector<Bezier> chain;
+  for (const double sign : {1.0, -1.0}) {
+    chain.push_back(Bezier({at(left, sign), at({-radius, -0.8727272725 * radius}, sign), at(below, sign)}, narrow));
+    chain.push_back(Bezier({at(below, sign), at({radius, -1.1458333 * radius}, sign), at(-1.0 * left, sign)}, wide));
+  }
+  return chain;
+}
+// Both tips of what is between the offsets are cut off where these are some roundings apart, and not four times as far.
+TEST(TouchingOffsets, OfCirclesThatTouchAreWithinTheirError) {
+  const Point at{2600000004.5, 1200000010};
+  Drawing drawing;
+  drawing.add(uneven_circle(at, 2));
+  drawing.add(uneven_circle(at - Point{0, 8.5}, 2.5));
+  for (const double eps : {1.4e-3, 1.7e-3, 2e-3}) {
+    const Offset offset = ba::offset(ba::Bounding_arc_tree_2(drawing), 2, eps);
+    ASSERT_EQ(offset.status, Offset::Status::COMPLETE);
+    const auto found = ba::offset_error(ba::Bounding_arc_tree_2(drawing), offset, eps / 64);
+    ASSERT_TRUE(found);
+    EXPECT_LE(found->farthest.upper, offset.error + eps / 64);
+  }
+}
+
 TEST(OffsetSeries, InsetsEndWhereNothingIsLeft) {
   const Drawing drawing = both(rectangle(3, 2), drawing_of(Bezier({{1, 1}, {1, 1}})));  // points vanish at once
   const std::vector<Offset> insets = ba::insets(ba::Bounding_arc_tree_2(drawing), 0.3, 1e-6);

@@ -49,33 +49,43 @@ inline void shorten(Raw_part& part, double share, bool is_end) {
 }
 
 /// \param width how far parts are apart where they are cut; some times what rounding may move their points by
-inline void blunt_cusps(Raw_loop& loop, double width) {
+/// \return how far they are, at most, which is hardly more; 0 without such tips
+inline double blunt_cusps(Raw_loop& loop, double width) {
   constexpr double TURNS_BACK = 0x1p-20,  // the sine of an angle within which rounding may decide
       LEAST = 0x1p-40, MOST = 0x1p-2;     // shares of the shorter part
+  constexpr int HALVINGS = 10;            // sides part as the square of what is cut off
   std::vector<std::optional<Raw_part>> tips(loop.size());
   const std::size_t n = loop.size();
-  bool has_tips = false;
+  double most = 0;
   for (std::size_t i = 0; n > 1 && i < n; ++i) {
     Raw_part &a = loop[i], &b = loop[(i + 1) % n];
     const Xy<double> coming = tangent(a.arc, 1), going = tangent(b.arc, 0);
     if (dot(coming, going) > 0 || std::fabs(cross(coming, going)) > TURNS_BACK) continue;
     const double of_a = length(a.arc), of_b = length(b.arc), shorter = (std::min)(of_a, of_b);
-    for (double share = LEAST; share <= MOST && !tips[i]; share *= 2) {
-      const double s = share * shorter;
-      if (euclidean_norm(point(a.arc, 1 - s / of_a) - point(b.arc, s / of_b)) < width) continue;
-      shorten(a, s / of_a, true);
-      shorten(b, s / of_b, false);
-      tips[i] = Raw_part{a.edge, {a.arc.to, b.arc.from, 0}, a.v, a.v};
-      has_tips = true;
+    const auto apart = [&](double share) {
+      return euclidean_norm(point(a.arc, 1 - share * shorter / of_a) - point(b.arc, share * shorter / of_b));
+    };
+    double share = LEAST;
+    while (share <= MOST && apart(share) < width) share *= 2;
+    if (share > MOST) continue;
+    double low = share / 2;
+    for (int k = 0; k < HALVINGS && share > LEAST; ++k) {
+      const double middle = 0.5 * (low + share);
+      (apart(middle) < width ? low : share) = middle;
     }
+    most = (std::max)(most, apart(share));
+    shorten(a, share * shorter / of_a, true);
+    shorten(b, share * shorter / of_b, false);
+    tips[i] = Raw_part{a.edge, {a.arc.to, b.arc.from, 0}, a.v, a.v};
   }
-  if (!has_tips) return;
+  if (most == 0) return 0;
   Raw_loop result;
   for (std::size_t i = 0; i < n; ++i) {
     result.push_back(loop[i]);
     if (tips[i]) result.push_back(*tips[i]);
   }
   loop = std::move(result);
+  return most;
 }
 
 // Leaves out of a raw offset what is covered as a whole, so that its crossings need not be found.
@@ -245,8 +255,8 @@ class Offset_run {
       offset.unresolved.reset();
       // what is covered has what closed curves enclose in it already, but where all is round
       std::vector<Raw_loop> loops = is_round_ ? wanted(trimmer.loops()) : trimmer.loops();
-      const double blunt = 64 * room;
-      for (Raw_loop& loop : loops) blunt_cusps(loop, blunt);
+      double blunt = 64 * room;
+      for (Raw_loop& loop : loops) blunt = (std::max)(blunt, blunt_cusps(loop, 64 * room));
       add_chains(loops, raw, error + trimmer.error() + blunt, offset);
       return true;
     }
