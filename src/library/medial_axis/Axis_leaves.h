@@ -109,19 +109,50 @@ class Leaf_finder {
   struct Run {
     std::size_t first, last;
   };
+  // A short element may have any curvature but for rounding, so a run may have more than one curvature: that of arcs
+  // before and behind the flat end of a slot that is a little wider than they are, or of an arc and a line that it
+  // turns into a little beyond its end. Then parts of the run with a known curvature are looked at by themselves.
   void add_maxima(const std::vector<End>& ends, const Run& run, std::vector<Axis_leaf>& leaves) const {
-    if (!is_maximum(ends, run)) return;
-    const End &from = ends[run.first % ends.size()], &to = ends[run.last % ends.size()], &best = best_of(ends, run);
-    const std::vector<Run> parts = known_maxima(ends, run);
-    if (parts.size() < 2 || are_on_circle(best, from, to)) return add(best, from, to, leaves);
-    for (const Run& part : parts) add_maxima(ends, part, leaves);
+    const auto end = [&](std::size_t k) -> const End& { return ends[k % ends.size()]; };
+    const std::vector<Run> parts = known_parts(ends, run);
+    const End& best = best_of(ends, run);
+    const bool is_maximum = best.value > best.error && is_less(end(run.first + ends.size() - 1), end(run.first)) &&
+                            is_less(end(run.last + 1), end(run.last));
+    if (is_maximum && (parts.size() < 2 || are_on_circle(best, end(run.first), end(run.last))))
+      return add(best, end(run.first), end(run.last), leaves);
+    for (const Run& part : parts) {
+      const auto from = maximal_end(ends, part, part.first, ends.size() - 1),
+                 to = maximal_end(ends, part, part.last, 1);
+      if (from && to) add(best_of(ends, part), end(*from), end(*to), leaves);
+    }
   }
-  // Where all ends have one value, from one on that may have any: those of a square that is nearly a circle.
+  // Where all ends have one value: those of a square that is nearly a circle.
   void add_maxima_of_ring(const std::vector<End>& ends, std::vector<Axis_leaf>& leaves) const {
-    const auto unknown = std::find_if_not(ends.begin(), ends.end(), is_known);
+    const double sure = surely_least(ends, {0, ends.size() - 1});
+    const auto unknown = std::find_if_not(ends.begin(), ends.end(), [&](const End& e) { return is_known(e, sure); });
     if (unknown == ends.end()) return;
     const auto first = static_cast<std::size_t>(unknown - ends.begin());
-    for (const Run& part : known_maxima(ends, {first, first + ends.size() - 1})) add_maxima(ends, part, leaves);
+    add_maxima(ends, {first, first + ends.size() - 1}, leaves);
+  }
+  // The curvature falls behind a part, or before it: where what is known next is less, or, where that is the same again
+  // about another center, where an element between is.
+  // \param step to the next end, modulo the number of ends
+  // \return the last end on the part's circle that way; nothing where curvature does not fall
+  [[nodiscard]] std::optional<std::size_t> maximal_end(const std::vector<End>& ends, const Run& part, std::size_t last,
+                                                       std::size_t step) const {
+    const auto end = [&](std::size_t k) -> const End& { return ends[k % ends.size()]; };
+    const End& best = best_of(ends, part);
+    if (!(best.value > best.error)) return std::nullopt;
+    std::size_t next = last + step;
+    for (std::size_t count = 0; count < ends.size() && !is_known(end(next), best.value - best.error); ++count)
+      next += step;
+    if (are_alike(end(next), end(last)))
+      return is_less(end(last + step), end(last)) ? std::optional(last) : std::nullopt;
+    if (!is_less(end(next), end(last))) return std::nullopt;
+    const std::size_t before = next + (ends.size() - step);  // unknown, or the last one
+    const bool is_forward = step == 1;
+    const End &from = is_forward ? end(part.first) : end(before), &to = is_forward ? end(before) : end(part.last);
+    return before % ends.size() == last % ends.size() || are_on_circle(best, from, to) ? before : last;
   }
   [[nodiscard]] static const End& best_of(const std::vector<End>& ends, const Run& run) {
     std::size_t best = run.first;
@@ -129,25 +160,23 @@ class Leaf_finder {
       if (ends[k % ends.size()].error < ends[best % ends.size()].error) best = k;
     return ends[best % ends.size()];
   }
-  [[nodiscard]] static bool is_maximum(const std::vector<End>& ends, const Run& run) {
-    const auto end = [&](std::size_t k) -> const End& { return ends[k % ends.size()]; };
-    const End& best = best_of(ends, run);
-    return best.value > best.error && is_less(end(run.first + ends.size() - 1), end(run.first)) &&
-           is_less(end(run.last + 1), end(run.last));
+  // A curvature that some end of a run has at least.
+  [[nodiscard]] static double surely_least(const std::vector<End>& ends, const Run& run) {
+    double least = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = run.first; k <= run.last; ++k)
+      least = (std::max)(least, ends[k % ends.size()].value - ends[k % ends.size()].error);
+    return least;
   }
-  // A short element may have any curvature but for rounding. Arcs before it and behind it have a center each where the
-  // circle of all of them misses their points: the flats at the ends of a slot that is a little wider than its arcs.
-  [[nodiscard]] static bool is_known(const End& e) { return e.error < e.value; }
-  /// \return nothing where one of those parts is no maximum
-  [[nodiscard]] static std::vector<Run> known_maxima(const std::vector<End>& ends, const Run& run) {
+  [[nodiscard]] static bool is_known(const End& e, double beside) { return e.error < 0.5 * beside; }
+  [[nodiscard]] static std::vector<Run> known_parts(const std::vector<End>& ends, const Run& run) {
+    const double sure = surely_least(ends, run);
     std::vector<Run> parts;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      if (!is_known(ends[k % ends.size()])) continue;
+      if (!is_known(ends[k % ends.size()], sure)) continue;
       if (parts.empty() || parts.back().last + 1 != k) parts.push_back({k, k});
       parts.back().last = k;
     }
-    const auto is_one = [&](const Run& part) { return is_maximum(ends, part); };
-    return std::all_of(parts.begin(), parts.end(), is_one) ? parts : std::vector<Run>();
+    return parts;
   }
   // Whether all points between two ends are on the circle that a leaf there has.
   [[nodiscard]] bool are_on_circle(const End& best, const End& from, const End& to) const {
