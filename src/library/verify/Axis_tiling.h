@@ -82,11 +82,14 @@ class Axis_tiling {
         if (begin != feet.begins.end()) feet.begins.erase(begin);
         else sectors_.push_back({{center.first, center.second}, end, {}});
       }
-      // what is left touches an arc
-      for (Sector& s : sectors_) {
-        if (s.center.x != center.first || s.center.y != center.second || feet.begins.empty()) continue;
-        s.end = feet.begins.back(), s.is_whole = true;
-        feet.begins.pop_back();
+      // what is left touches arcs
+      for (Sector& sector : sectors_) {
+        if (sector.center.x != center.first || sector.center.y != center.second || feet.begins.empty()) continue;
+        auto end = std::find_if(feet.begins.begin(), feet.begins.end(),
+                                [&](const Curve_place& p) { return !common_curves(sector.begin, p).empty(); });
+        if (end == feet.begins.end()) --end;
+        sector.end = *end, sector.is_whole = true;
+        feet.begins.erase(end);
       }
       if (!feet.begins.empty()) of_.find(Fault::TILING, "foot at " + text_of(feet.begins.front()));
     }
@@ -96,17 +99,20 @@ class Axis_tiling {
     for (const Sector& s : sectors_)
       if (!s.is_whole || !is_beside_touched_arc(s)) of_.find(Fault::TILING, "foot at " + text_of(s.begin));
   }
-  // In a frame either foot may have the name of another wall, which goes on from the arc.
   [[nodiscard]] bool is_beside_touched_arc(const Sector& s) const {
+    const std::vector<std::size_t> curves = common_curves(s.begin, s.end);
+    return std::any_of(curves.begin(), curves.end(), [&](std::size_t curve) { return touched_arcs_.count(curve) > 0; });
+  }
+  // Curves that both feet are on. In a frame either may have the name of another wall, which goes on from there.
+  [[nodiscard]] std::vector<std::size_t> common_curves(const Curve_place& a, const Curve_place& b) const {
     const auto names = [this](const Curve_place& foot) {
       return of_.options.is_framed ? all_names(foot) : std::vector<Curve_place>{foot};
     };
-    const std::vector<Curve_place> ends = names(s.end);
-    for (const Curve_place& p : names(s.begin)) {
-      const auto is_of_curve = [&](const Curve_place& q) { return q.curve == p.curve; };
-      if (touched_arcs_.count(p.curve) > 0 && std::any_of(ends.begin(), ends.end(), is_of_curve)) return true;
-    }
-    return false;
+    std::vector<std::size_t> curves;
+    for (const Curve_place& p : names(a))
+      for (const Curve_place& q : names(b))
+        if (p.curve == q.curve) curves.push_back(p.curve);
+    return curves;
   }
   static std::string text_of(const Curve_place& p) {
     return "curve " + std::to_string(p.curve) + ", piece " + std::to_string(p.bezier) + ", t " + std::to_string(p.t);
