@@ -306,6 +306,33 @@ TEST(DrawnShapes, OfFewDecimalsTellWhatIsRoundedOff) {
   EXPECT_LE(axis.moved, 0x1p-40 * 10);
 }
 
+/// A rounded rectangle of 40 by 20 whose corners turn by another bulge than that of a quarter.
+Drawing rounded_with_bulge(double radius, double bulge) {
+  const double w = 40, h = 20, r = radius, half = 2 * std::atan(bulge);  // of the angle
+  const Point p[] = {{r, 0}, {w - r, 0}, {w, r}, {w, h - r}, {w - r, h}, {r, h}, {0, h - r}, {0, r}};
+  std::vector<Bezier> chain;
+  for (int i = 0; i < 8; ++i) {
+    const Point &from = p[i], &to = p[(i + 1) % 8], chord = to - from, middle = 0.5 * (from + to);
+    if (i % 2 == 0) chain.push_back(segment(from, to));
+    else
+      chain.push_back(
+          Bezier({from, middle + 0.5 * std::tan(half) * Point{chord.y, -chord.x}, to}, {1, std::cos(half), 1}));
+  }
+  return drawing_of(chain);
+}
+// A bulge of few digits makes an arc end a little before or beyond the line that it turns into, which is no corner of
+// the shape: each corner has the leaf of its arc.
+TEST(DrawnShapes, WithBulgesOfFewDigitsHaveALeafInEachCorner) {
+  for (const double radius : {1.0, 2.0, 3.175, 5.0, 9.9})
+    for (const double bulge : {0.414214, 0.4142136, 0.41421356, 0.414213562, 0.4142135624, 0.41421356237}) {
+      const Drawing drawing = rounded_with_bulge(radius, bulge);
+      const ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-2);
+      EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE) << radius << ' ' << bulge;
+      EXPECT_EQ(axis.vertices.size(), 6u) << radius << ' ' << bulge;
+      EXPECT_TRUE(ba::verify_axis(drawing, axis).is_right()) << radius << ' ' << bulge;
+    }
+}
+
 // Joints that turn by some 1e-7 have two normals beside leaves, and four arcs of one radius have a center each.
 TEST(DrawnShapes, WithDecimalsAreWholeAndRight) {
   for (const unsigned seed : {700762U, 701001U, 702197U, 702295U}) {

@@ -208,7 +208,8 @@ class Leaf_finder {
         if (std::isfinite(ends.back().value)) ends.back().error += bend;
       }
       const auto rounded = rounded_joint(i);
-      if (rounded || e.is_before_tip()) ends.push_back({{i, e.last}, INFINITE, 0, true, rounded});
+      if (rounded || (e.is_before_tip() && !is_smooth_joint(i)))
+        ends.push_back({{i, e.last}, INFINITE, 0, true, rounded});
     }
     return ends;
   }
@@ -256,6 +257,13 @@ class Leaf_finder {
   [[nodiscard]] double excess(const Joint& joint) const {
     const double w = joint.turn / std::sqrt(2 * tip_height()), root = (w - joint.difference() / w) / 2;
     return root > 0 ? root * root : 0;
+  }
+  /// Whether the disc of the larger curvature at a joint that turns by little leaves no higher tip beyond it.
+  [[nodiscard]] bool is_smooth_joint(std::uint32_t e) const {
+    constexpr double LITTLE = 0x1p-10;
+    if (!(boundary_.element(e).turn < LITTLE)) return false;
+    const Joint joint = joint_at_end_of(e);
+    return joint.difference() > 0 && std::isfinite(joint.difference()) && excess(joint) == 0;
   }
   /// Whether an element turns into the next one to the left, by little and by more than nothing.
   [[nodiscard]] bool is_bent(std::uint32_t e) const {
