@@ -164,7 +164,7 @@ class Axis_checker {
   // makes a corner.
   void expect_foot(const Axis_tile& tile, const Curve_place& foot, const Medial_axis_2::Sample& s,
                    const std::string& place) {
-    constexpr double LEAST_TURN = 0x1p-21;
+    constexpr double LEAST_TURN = 0x1p-21, LEAST_TOLD = 0x1p-48;  // the latter of the size
     const Checked_point p = of_.jet(foot);
     const double miss = miss_of(p, s.center, s.radius);
     of_.result.miss = (std::max)(of_.result.miss, miss);
@@ -174,7 +174,7 @@ class Axis_checker {
     const double aside = most_of(dot(checked(s.center) - p.point, p.derivative)) / speed;
     of_.result.aside = (std::max)(of_.result.aside, aside);
     const bool is_joint = foot.t == 0 || foot.t == 1;
-    const double most = (std::max)(of_.small(), std::sqrt(2 * s.radius * of_.room));
+    const double most = (std::max)(of_.small(), std::sqrt(2 * s.radius * LEAST_TOLD * of_.size));
     if (aside > most + (is_joint ? LEAST_TURN * s.radius : 0) && !is_beside_turn(foot, s))
       of_.find(Fault::FOOT, place, aside);
   }
