@@ -99,7 +99,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   // open.
   [[nodiscard]] bool is_seen_nearer(const Pair& beziers) {
     constexpr int MOST_LOOKS = 3, LEAST = 64;  // of degrees' products
-    const auto [a, b] = beziers;
+    const std::uint32_t a = beziers.first, b = beziers.second;
     const bool is_own = is_self_ && a == b;
     if (looks_ == MOST_LOOKS || a_.bezier(a).degree() * b_.bezier(b).degree() < LEAST) return false;
     if (is_own && std::binary_search(a_.hidden_tips().begin(), a_.hidden_tips().end(), a)) return false;
