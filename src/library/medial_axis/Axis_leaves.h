@@ -56,6 +56,9 @@ class Leaf_finder {
       add_maxima(ends, {i, last}, result.leaves);
       i = last + 1;
     }
+    const Boundary_ring& of = boundary_.rings()[ring];
+    for (std::uint32_t e = of.begin; e < of.end; ++e)
+      if (boundary_.element(e).is_before_tip() && is_smooth_joint(e)) result.moved = tip_height();
     // arcs that have a center each, next to each other, and so no empty disc
     if (result.leaves.empty() && !is_circle_within(MOST, ends, result)) add_maxima_of_ring(ends, result.leaves);
     return result;
