@@ -8,6 +8,7 @@
 #ifndef BOUNDING_ARCS_TEST_DRAWN_SHAPES_H
 #define BOUNDING_ARCS_TEST_DRAWN_SHAPES_H
 
+#include "machine_parts.h"
 #include "near_equal_discs.h"
 #include "nudged_drawings.h"
 
@@ -391,6 +392,11 @@ inline Drawing any_touching_circles(std::mt19937& random) {
   const bool is_whole = one_in(random, 2);
   return touching_circles({random, is_whole});
 }
+inline Axis_case machine_part(std::mt19937& random) {
+  Axis_case made{any_machine_part(random), {}};
+  made.options.rule = ba::Fill_rule::EVEN_ODD;
+  return made;
+}
 // Of loose lines what is left is slivers of straight sides 1e-12 apart, and vertices within rounding of others. Axes of
 // drawings with decimals are right, but joints that are rounded off, and circles that are none but for 1e-9, are beyond
 // the proof.
@@ -410,6 +416,7 @@ inline constexpr Drawn_kind DRAWN_KINDS[] = {
     {"NearHandles", [](std::mt19937& random) { return filled(random, paths_with_near_handles(random)); }, 0},
     {"FramedNearHandles", [](std::mt19937& random) { return in_frame(random, paths_with_near_handles(random)); }, 0},
     {"Decimals", [](std::mt19937& random) { return filled(random, with_decimals(random)); }, 60},
+    {"MachineParts", machine_part, 90},
     {"ShortEnds", [](std::mt19937& random) { return filled(random, slots_with_short_ends(random)); }, 0},
 };
 

@@ -247,17 +247,35 @@ class Axis_boundary {
     return {jet.point, sign * d, speed, square > 0 ? sign * cross(jet.first, jet.second) / square : 0};
   }
 
-  /// By how much the tangent turns on, where elements turn into each other by so little that there is no corner, to the
-  /// middle of both: a disc there is as far in what is before as in what is behind. 0 elsewhere.
-  [[nodiscard]] double turn_to_middle(const Boundary_place& p) const {
+  /// By how much the boundary turns at a place where elements turn into each other by so little that there is no
+  /// corner; 0 elsewhere.
+  [[nodiscard]] double turn_of_joint(const Boundary_place& p) const {
     const Boundary_element& e = elements_[p.element];
     const bool is_last = p.u == e.last;
     if (e.is_corner || (!is_last && p.u != e.first)) return 0;
     const std::uint32_t other = is_last ? after(p.element) : before(p.element);
     const double turn = is_last ? e.turn : elements_[other].turn;
-    return elements_[other].is_corner || std::fabs(turn) >= Boundary_element::ROUNDED_TURN
-               ? 0
-               : (is_last ? 0.5 : -0.5) * turn;
+    return elements_[other].is_corner || std::fabs(turn) >= Boundary_element::ROUNDED_TURN ? 0 : turn;
+  }
+  /// By how much the tangent turns on from that of a place's element to that of the disc there, at such a joint.
+  ///
+  /// A disc with a tangent that is off by b is as far as b^2 / (2 x) in a side whose curvature is less than its own by
+  /// x. It is as far in what is before as in what is behind where both b are as the roots of both x.
+  [[nodiscard]] double turn_to_disc(const Boundary_place& p, double radius) const {
+    const double turn = turn_of_joint(p);
+    if (turn == 0) return 0;
+    const bool is_last = p.u == elements_[p.element].last;
+    double share = 0.5;
+    if (turn * radius > resolution()) {
+      const std::uint32_t i = is_last ? after(p.element) : before(p.element);
+      const auto root = [&](const Boundary_place& at) {
+        const double excess = 1 / radius - curvature(at).value;
+        return excess > 0 ? std::sqrt(excess) : 0;
+      };
+      const double own = root(p), other = root({i, is_last ? elements_[i].first : elements_[i].last});
+      if (std::isfinite(own) && std::isfinite(other) && own + other > 0) share = own / (own + other);
+    }
+    return (is_last ? share : -share) * turn;
   }
 
   /// Curvature at an end of an element that is no corner, with what it may be wrong by. It is infinite at a cusp, and

@@ -134,7 +134,7 @@ class Axis_graph {
   }
   // Each of two discs touches what the other one does, within what centers of discs with close feet may be off by.
   [[nodiscard]] bool are_one(const Axis_node& a, const Axis_node& b) const {
-    constexpr double ROUNDING = 128;  // times the resolution
+    constexpr double ROUNDING = 32;  // times the resolution
     if (!is_close(a.disc.center, b.disc.center)) return false;
     const auto touches = [&](const Axis_node& disc, const Axis_node& other) {
       return std::all_of(other.touches.begin(), other.touches.end(), [&](const Boundary_place& p) {

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -61,15 +62,18 @@ class Axis_path {
     while (i + 1 < a_.size() || j > 0) {
       double gap_a = HUGE_VAL, gap_b = HUGE_VAL;  // below 0 where nothing is in doubt
       Boundary_place q, p;
+      double radius_b = 0;
       if (i + 1 < a_.size()) {
         if (partner_of_ != i)
-          partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b), partner_of_ = i;
+          partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b, last.sample.radius),
+          partner_of_ = i;
         const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_.place);
         q = on(b_[j], partner_, k, j);
         gap_a = k >= j ? -1 : partner_.disc.gap(boundary_(q).point);
       }
       if (j > 0 && gap_a >= 0) {
-        const Partner partner = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
+        const Partner partner = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a, last.sample.radius);
+        radius_b = partner.disc.radius;
         const std::size_t k = parts_.steps(parts_.arcs[arc_a_], partner.place);
         p = on(a_[i], partner, k, i);
         gap_b = k == i ? -1 : partner.disc.gap(boundary_(p).point);
@@ -78,11 +82,11 @@ class Axis_path {
       const double most = ROUNDING * boundary_.resolution() + 2 * boundary_.largest_rounded_turn() * last.sample.radius;
       if ((std::min)(gap_a, gap_b) > most) has_failed_ = true;
       if (gap_a <= gap_b) {
-        go_to(facing(true, {a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
+        go_to(facing(true, {a_[i].element, a_[i].u1}, partner_.disc.radius, q, b_[j].u0, b_[j].u1));
         ++i;
         last = state({a_[i].element, a_[i].u0}, last.sample.b);
       } else {
-        go_to(facing(false, {b_[j].element, b_[j].u0}, p, a_[i].u0, a_[i].u1));
+        go_to(facing(false, {b_[j].element, b_[j].u0}, radius_b, p, a_[i].u0, a_[i].u1));
         --j;
         last = state(last.sample.a, {b_[j].element, b_[j].u1});
       }
@@ -141,19 +145,26 @@ class Axis_path {
     Boundary_place place;
     Touching_disc disc;
   };
-  // A joint without a corner has two tangents.
-  [[nodiscard]] Boundary_jet with_middle_tangent(const Boundary_place& p) const {
+  // A joint without a corner has two tangents: that of a disc of some radius is between them.
+  [[nodiscard]] Boundary_jet with_tangent_of_disc(const Boundary_place& p, double radius) const {
     Boundary_jet jet = boundary_(p);
-    const double turn = boundary_.turn_to_middle(p);
+    const double turn = boundary_.turn_to_disc(p, radius);
     if (turn != 0) jet.tangent = jet.tangent + turn * perp(jet.tangent);
     return jet;
   }
-  Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
+  // \param radius that it may have: where two tangents differ, the disc found with that tells a better one
+  Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near,
+                 double radius) {
     const Axis_parts::Others others{parts_, part_, own};
-    Axis_parts::Search search(boundary_, others, with_middle_tangent(p), most_);
-    search.start_from(near);
-    parts_.run(search, others);
-    if (search.is_found()) return {search.place(), search.disc()};
+    const auto found = [&](double of_disc) -> std::optional<Partner> {
+      Axis_parts::Search search(boundary_, others, with_tangent_of_disc(p, of_disc), most_);
+      search.start_from(near);
+      parts_.run(search, others);
+      return search.is_found() ? std::optional(Partner{search.place(), search.disc()}) : std::nullopt;
+    };
+    std::optional<Partner> partner = found(radius);
+    if (partner && has_two_normals(p, partner->disc.radius)) partner = found(partner->disc.radius);
+    if (partner) return *partner;
     // beside the feet of an end's disc, on a line that leaves a corner, rounding may leave nothing in any disc
     for (const bool is_start : {false, true}) {
       const Touching_disc& disc = parts_.nodes[parts_.parts[part_].nodes[is_start ? 1 : 0]].disc;
@@ -162,7 +173,7 @@ class Axis_path {
       return {is_start == (other == arc_a_) ? arc.from : arc.to, disc};
     }
     has_failed_ = true;
-    return {parts_.arcs[other].from, search.disc()};
+    return {parts_.arcs[other].from, {boundary_(p).point, 0}};
   }
   // A partner, or the end of a piece that it is beyond. The disc touches that as well, where it is so by rounding
   // alone.
@@ -221,7 +232,7 @@ class Axis_path {
     const bool is_half_of_a = halves_a(s.sample, on_a, on_b);
     State middle = between(is_half_of_a, s, t);
     // the other foot may be beyond a joint that is rounded off
-    if (boundary_.turn_to_middle(is_half_of_a ? middle.sample.b : middle.sample.a) != 0)
+    if (boundary_.turn_of_joint(is_half_of_a ? middle.sample.b : middle.sample.a) != 0)
       middle = between(!is_half_of_a, s, t);
     if (!(middle.sample.radius > 0)) {
       if (!are_at_one_point(s.sample, t.sample)) has_failed_ = true;
@@ -262,11 +273,13 @@ class Axis_path {
     };
     const double middle = 0.5 * (start.u + stop.u), guess = middle + (to.u - from.u) / 8 * (rate(s) - rate(t));
     const Boundary_place q{start.element, low < guess && guess < high ? guess : middle};
-    return facing(is_half_of_a, p, q, low, high);
+    return facing(is_half_of_a, p, s.sample.radius, q, low, high);
   }
   // The disc that touches at p, on the first arc if is_of_a, and in a range of the other one.
-  [[nodiscard]] State facing(bool is_of_a, const Boundary_place& p, Boundary_place q, double low, double high) const {
-    const Boundary_jet fixed = with_middle_tangent(p);
+  // \param radius about that which it has
+  [[nodiscard]] State facing(bool is_of_a, const Boundary_place& p, double radius, Boundary_place q, double low,
+                             double high) const {
+    const Boundary_jet fixed = with_tangent_of_disc(p, radius);
     Boundary_jet moving = boundary_(q);
     constexpr int MOST_STEPS = 60;
     constexpr double SETTLED = 0x1p-26;  // of the element, and of an angle: the next step would be of a last bit
@@ -289,10 +302,13 @@ class Axis_path {
     }
     State s = is_of_a ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
     const bool is_at_end = !(low < high) || q.u == low || q.u == high;
-    // a joint has two normals, of which its disc may have any
-    if (boundary_.turn_to_middle(p) != 0 && boundary_.turn_to_middle(q) == 0) touch(s.sample, moving, fixed, true);
-    else touch(s.sample, fixed, moving, is_at_end);
+    touch(s.sample, fixed, moving, is_at_end);
     return s;
+  }
+
+  // Whether a joint has two normals that rounding tells apart in the center.
+  [[nodiscard]] bool has_two_normals(const Boundary_place& p, double radius) const {
+    return std::fabs(boundary_.turn_of_joint(p)) * radius > boundary_.resolution();
   }
 
   // Where the foot is at the end of an element, which may turn there by less than a corner does; and where normals turn

@@ -204,12 +204,7 @@ class Branch_finder {
       step_to(center, foot);
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
       const Boundary_jet jet = boundary_(foot.place);
-      const Xy<double> way = center - jet.point;
-      if (!(disc.gap(jet.point) <= room)) return std::nullopt;
-      // the end of an arc, at a convex corner, from beyond
-      constexpr double SLANTING = 0x1p-10;
-      if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
-        return std::nullopt;
+      if (!(disc.gap(jet.point) <= room) || is_slanting(jet, disc, room)) return std::nullopt;
     }
     if (is_outside_of_tip(feet, radius)) return std::nullopt;
     Closest_search search(boundary_.curves(), center, radius - room);
@@ -217,6 +212,13 @@ class Branch_finder {
     if (search.result()) return std::nullopt;
     if (auto joined = joined_at(disc)) return joined;
     return in_order(feet, disc);
+  }
+
+  // Whether a disc that is at the end of an element is beyond it: behind a convex corner, or round a reflex one.
+  [[nodiscard]] static bool is_slanting(const Boundary_jet& jet, const Touching_disc& disc, double room) {
+    constexpr double SLANTING = 0x1p-10;
+    const double beside = std::fabs(dot(disc.center - jet.point, jet.tangent));
+    return jet.speed > 0 && beside > SLANTING * disc.radius + 4 * std::sqrt(room * disc.radius);
   }
 
   // Whether a disc touches both sides of a sharp tip there, from outside: within, it would be smaller than its distance
@@ -337,7 +339,7 @@ class Branch_finder {
       const Boundary_jet jet = boundary_(*p);
       const double gap = disc.gap(jet.point);
       // touched from inside
-      if (gap > room || !(dot(disc.center - jet.point, jet.normal()) > 0)) return;
+      if (gap > room || !(dot(disc.center - jet.point, jet.normal()) > 0) || is_slanting(jet, disc, room)) return;
       const std::uint32_t arc = parts_.arc_of(part_, Axis_parts::NONE, *p);
       if (arc != Axis_parts::NONE) all.push_back({parts_.arcs[arc].position, *p, jet.point, gap});
     });

@@ -90,16 +90,6 @@ void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_ax
   return euclidean_norm(to - t * way) > FAR * eps;
 }
 
-// Whether a foot begins or ceases to stand still there, in a corner. Where turns are hidden a leaf may be beside that.
-[[nodiscard]] bool is_at_corner(const std::vector<Medial_axis_2::Sample>& samples, std::size_t i) {
-  const auto is_one = [](const Curve_place& p, const Curve_place& q) {
-    return p.curve == q.curve && p.bezier == q.bezier && p.t == q.t;
-  };
-  const Medial_axis_2::Sample &before = samples[i - 1], &at = samples[i], &behind = samples[i + 1];
-  return is_one(before.left, at.left) != is_one(at.left, behind.left) ||
-         is_one(before.right, at.right) != is_one(at.right, behind.right);
-}
-
 // Brackets of all vertices. Where a disc of one of these, or of any of many samples, has a curve in it, it is left out:
 // what rounding may have made of decisions would be seen there. The first and the last ones of an edge are the
 // vertices. The error is the most by which a vertex's disc misses one of its touches, or its center's distance from all
@@ -121,8 +111,14 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
     leave_samples_out(is_good, axis.eps, samples);
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
-                                (has_hidden_turns && is_at_corner(samples, i)) || is_outlier(samples, i, axis.eps);
+                                has_hidden_turns || is_outlier(samples, i, axis.eps);
       if (is_looked_at && !is_empty(samples[i].center, samples[i].radius, ROUNDING)) is_wrong_edge[edge] = 1;
+    }
+    // beside hidden turns slopes tell less of what is between
+    for (std::size_t i = 1; has_hidden_turns && i < samples.size() && is_wrong_edge[edge] == 0; ++i) {
+      const Medial_axis_2::Sample &a = samples[i - 1], &b = samples[i];
+      if (!is_empty(0.5 * (a.center + b.center), 0.5 * (a.radius + b.radius) - axis.eps, ROUNDING))
+        is_wrong_edge[edge] = 1;
     }
   };
   for_each_by_place(
