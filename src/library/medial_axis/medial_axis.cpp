@@ -64,19 +64,24 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
   axis.status = Medial_axis_2::Status::UNRESOLVED;
 }
 
-// Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Those within a sixteenth of
-// eps of the next one are not needed, and are left out where their discs have a curve in them.
-template <class Is_good>
-void leave_samples_out(const Is_good& is_good, double eps, std::vector<Medial_axis_2::Sample>& samples) {
-  const auto is_near = [&](const Medial_axis_2::Sample& a, const Medial_axis_2::Sample& b) {
-    return euclidean_norm(a.center - b.center) <= eps / 16;
-  };
+// Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Where those within a
+// sixteenth of eps of one beside them have a curve in their disc, they have the disc of that if it touches both feet, as
+// ends of curves are to have one, or are left out.
+template <class Is_good, class Touches>
+void leave_samples_out(const Is_good& is_good, const Touches& touches, double eps,
+                       std::vector<Medial_axis_2::Sample>& samples) {
   std::size_t kept = 1;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const bool is_needed = i + 1 == samples.size() ||
-                           !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
-                           is_good(samples[i]);
-    if (is_needed) samples[kept++] = samples[i];
+    Medial_axis_2::Sample s = samples[i];
+    const Medial_axis_2::Sample *const beside[] = {&samples[kept - 1], i + 1 < samples.size() ? &samples[i + 1] : &s};
+    const auto is_near = [&](const Medial_axis_2::Sample* b) { return euclidean_norm(s.center - b->center) <= eps / 16; };
+    bool is_kept = i + 1 == samples.size() || !(is_near(beside[0]) || is_near(beside[1])) || is_good(s);
+    for (const Medial_axis_2::Sample* b : beside) {
+      if (is_kept || !is_near(b) || !touches(*b, s.left) || !touches(*b, s.right) || !is_good(*b)) continue;
+      s.center = b->center, s.radius = b->radius;
+      is_kept = true;
+    }
+    if (is_kept) samples[kept++] = s;
   }
   samples.resize(kept);
 }
@@ -103,12 +108,15 @@ void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
   };
   // samples that may be left out are to be better
   const auto is_good = [&](const Medial_axis_2::Sample& s) { return is_empty(s.center, s.radius, ROUNDING / 2); };
+  const auto touches = [&](const Medial_axis_2::Sample& s, const Curve_place& p) {
+    return std::fabs(euclidean_norm(point_at(curves, p) - s.center) - s.radius) <= ROUNDING / 2 * boundary.resolution();
+  };
   const bool has_hidden_turns = boundary.hidden_height() > 0;
   std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const auto check_edge = [&](std::size_t edge) {
     constexpr std::size_t STEP = 8;
     std::vector<Medial_axis_2::Sample>& samples = axis.edges[edge].samples;
-    leave_samples_out(is_good, axis.eps, samples);
+    leave_samples_out(is_good, touches, axis.eps, samples);
     for (std::size_t i = 1; i + 1 < samples.size() && is_wrong_edge[edge] == 0; ++i) {
       const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
                                 has_hidden_turns || is_outlier(samples, i, axis.eps);
