@@ -126,9 +126,10 @@ TEST(DrawnShapes, WithBulgesOfFewDigitsHaveALeafInEachCorner) {
     }
 }
 
-// Joints that turn by some 1e-7 have two normals beside leaves, and four arcs of one radius have a center each.
+// Joints that turn by some 1e-7 have two normals beside leaves; four arcs of one radius have a center each; and sides
+// of slots are in the discs of both ends by a rounding.
 TEST(DrawnShapes, WithDecimalsAreWholeAndRight) {
-  for (const unsigned seed : {700762U, 701001U, 702197U, 702295U}) {
+  for (const unsigned seed : {140457U, 501247U, 700762U, 701001U, 702197U, 702295U, 930029U}) {
     std::mt19937 random(seed);
     const Axis_case drawn = filled(random, with_decimals(random));
     EXPECT_NO_THROW(told_of(drawn, [&] { check_case(drawn, random); })) << "seed " << seed;

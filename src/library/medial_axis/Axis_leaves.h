@@ -43,18 +43,15 @@ class Leaf_finder {
 
   [[nodiscard]] Ring_leaves leaves(std::uint32_t ring) {
     const std::vector<End> ends = ends_of(boundary_.rings()[ring]);
-    const std::size_t n = ends.size();
     constexpr double ROUNDING = 8;  // times the resolution
     Ring_leaves result;
     if (is_circle_within(ROUNDING, ends, result)) return result;
-    std::size_t start = 0;  // of a group of ends with one value
-    while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
-    for (std::size_t i = start; start < n && i < start + n;) {
-      std::size_t last = i;
-      while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
-      if (ends[i % n].leaf) result.moved = tip_height();
-      add_maxima(ends, {i, last}, result.leaves);
-      i = last + 1;
+    add_all_maxima(ends, result);
+    if (result.leaves.size() < 2) {  // both of a slot may have its sides in their discs by a rounding
+      room_ = ROUNDING * boundary_.resolution();
+      result = {};
+      add_all_maxima(ends, result);
+      room_ = 0;
     }
     const Boundary_ring& of = boundary_.rings()[ring];
     for (std::uint32_t e = of.begin; e < of.end; ++e)
@@ -112,6 +109,18 @@ class Leaf_finder {
   struct Run {
     std::size_t first, last;
   };
+  void add_all_maxima(const std::vector<End>& ends, Ring_leaves& result) const {
+    const std::size_t n = ends.size();
+    std::size_t start = 0;  // of a group of ends with one value
+    while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
+    for (std::size_t i = start; start < n && i < start + n;) {
+      std::size_t last = i;
+      while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
+      if (ends[i % n].leaf) result.moved = tip_height();
+      add_maxima(ends, {i, last}, result.leaves);
+      i = last + 1;
+    }
+  }
   // A short element may have any curvature but for rounding, so a run may have more than one curvature: that of arcs
   // before and behind the flat end of a slot that is a little wider than they are, or of an arc and a line that it
   // turns into a little beyond its end. Then parts of the run with a known curvature are looked at by themselves.
@@ -416,7 +425,7 @@ class Leaf_finder {
   [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {
     const All_but others = others_of(leaf);
     const auto is_empty_from = [&](const Boundary_place& p) {
-      Disc_search search(boundary_, others, boundary_(p), leaf.disc.radius);
+      Disc_search search(boundary_, others, boundary_(p), leaf.disc.radius - room_);
       search.search();
       return !search.is_found();
     };
@@ -425,6 +434,7 @@ class Leaf_finder {
   }
 
   const Axis_boundary& boundary_;
+  double room_ = 0;  // by how much less than a leaf's disc is to be empty
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -65,16 +65,18 @@ void leave_out(const std::vector<char>& is_wrong_vertex, const std::vector<char>
 }
 
 // Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Where those within a
-// sixteenth of eps of one beside them have a curve in their disc, they have the disc of that if it touches both feet, as
-// ends of curves are to have one, or are left out.
+// sixteenth of eps of one beside them have a curve in their disc, they have the disc of that if it touches both feet,
+// as ends of curves are to have one, or are left out.
 template <class Is_good, class Touches>
 void leave_samples_out(const Is_good& is_good, const Touches& touches, double eps,
                        std::vector<Medial_axis_2::Sample>& samples) {
   std::size_t kept = 1;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     Medial_axis_2::Sample s = samples[i];
-    const Medial_axis_2::Sample *const beside[] = {&samples[kept - 1], i + 1 < samples.size() ? &samples[i + 1] : &s};
-    const auto is_near = [&](const Medial_axis_2::Sample* b) { return euclidean_norm(s.center - b->center) <= eps / 16; };
+    const Medial_axis_2::Sample* const beside[] = {&samples[kept - 1], i + 1 < samples.size() ? &samples[i + 1] : &s};
+    const auto is_near = [&](const Medial_axis_2::Sample* b) {
+      return euclidean_norm(s.center - b->center) <= eps / 16;
+    };
     bool is_kept = i + 1 == samples.size() || !(is_near(beside[0]) || is_near(beside[1])) || is_good(s);
     for (const Medial_axis_2::Sample* b : beside) {
       if (is_kept || !is_near(b) || !touches(*b, s.left) || !touches(*b, s.right) || !is_good(*b)) continue;
