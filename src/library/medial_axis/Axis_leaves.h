@@ -306,8 +306,9 @@ class Leaf_finder {
     search.finish();
     const Boundary_place q = search.place();
     const Xy<double> at = boundary_({e, boundary_.element(e).last}).point;
-    // what is beyond is nearer, in another disc
-    if (!search.is_found() || !(euclidean_norm(boundary_(q).point - at) <= 2 * s)) return std::nullopt;
+    // what is beyond is nearer, in another disc; the height of a tip is some resolutions, so that s is not told well
+    constexpr double FAR = 4;
+    if (!search.is_found() || !(euclidean_norm(boundary_(q).point - at) <= FAR * s)) return std::nullopt;
     const Axis_leaf leaf{is_own_before ? p : q, is_own_before ? q : p, search.disc()};
     double most = 0;  // curvature of the elements with both touches, and of those between
     for (std::uint32_t i = leaf.first.element;; i = boundary_.after(i)) {
