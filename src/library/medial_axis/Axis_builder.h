@@ -137,9 +137,16 @@ class Axis_graph {
     constexpr double ROUNDING = 32;  // times the resolution
     if (!is_close(a.disc.center, b.disc.center)) return false;
     const auto touches = [&](const Axis_node& disc, const Axis_node& other) {
-      return std::all_of(other.touches.begin(), other.touches.end(), [&](const Boundary_place& p) {
+      const auto is_touched = [&](const Boundary_place& p) {
         return disc.disc.gap(boundary_(p).point) <= ROUNDING * boundary_.resolution();
-      });
+      };
+      if (!std::all_of(other.touches.begin(), other.touches.end(), is_touched)) return false;
+      if (other.kind != Axis_node_kind::LEAF) return true;
+      // a leaf touches all between its touches
+      const std::uint32_t last = other.touches.back().element;
+      for (std::uint32_t e = other.touches.front().element; e != last; e = boundary_.after(e))
+        if (!is_touched({e, boundary_.element(e).last})) return false;
+      return true;
     };
     return touches(a, b) && touches(b, a);
   }
