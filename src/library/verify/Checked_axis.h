@@ -93,14 +93,24 @@ class Checked_axis {
     std::vector<Curve_place> names{p};
     const auto& curve = curves.curves()[p.curve];
     const auto count = curve.beziers.size();
+    const Xy<double> point = piece(p).point(p.t);
     const auto is_at = [&](const Xy<double>& end) {
-      const Xy<double> way = piece(p).point(p.t) - end;
+      const Xy<double> way = point - end;
       return std::hypot(way.x, way.y) <= room;
     };
-    if (p.t < 0.5 && (p.bezier > 0 || curve.is_closed) && is_at(piece(p).control_points().front()))
-      names.push_back({p.curve, static_cast<decltype(p.bezier)>((p.bezier + count - 1) % count), 1});
-    if (p.t > 0.5 && (p.bezier + 1 < count || curve.is_closed) && is_at(piece(p).control_points().back()))
-      names.push_back({p.curve, static_cast<decltype(p.bezier)>((p.bezier + 1) % count), 0});
+    // beyond an end, and beyond pieces that are no longer than rounding
+    for (const bool is_forward : {false, true}) {
+      Curve_place at = p;
+      const auto& points = piece(p).control_points();
+      bool goes_on = (p.t < 0.5) != is_forward && is_at(is_forward ? points.back() : points.front());
+      while (goes_on && names.size() <= count && (curve.is_closed || (is_forward ? at.bezier + 1 < count : at.bezier > 0))) {
+        const auto next = (at.bezier + (is_forward ? 1 : count - 1)) % count;
+        at = {p.curve, static_cast<decltype(p.bezier)>(next), is_forward ? 0.0 : 1.0};
+        names.push_back(at);
+        const auto& of_next = piece(at).control_points();
+        goes_on = std::all_of(of_next.begin(), of_next.end(), is_at);
+      }
+    }
     return names;
   }
 
