@@ -19,6 +19,7 @@
 #include <iostream>
 #include <iterator>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace test_drawn_axes {
@@ -59,16 +60,36 @@ TEST_P(PromisedAxes, AreProven) {
   EXPECT_GE(100 * (proven + 1), GetParam().proven * all) << proven << " of " << all;
 }
 
+void require_verified(const Axis_case& drawn, double eps) {
+  told_of(drawn, [&] {
+    const ba::Medial_axis_2 axis = axis_of_case(drawn, eps);
+    if (axis.status != ba::Medial_axis_2::Status::COMPLETE) throw Fault("unresolved", "");
+    if (!axis.is_valid()) throw Fault("invalid", "");
+    const auto found = ba::verify_axis(drawn.drawing, axis, {drawn.options.rule, false, {}});
+    if (!found.is_right()) throw Fault("not verified", found.findings.front().place);
+  });
+}
+
 // Arcs that end a rounding beside the lines that they turn into: feet go on along them, cells tile all parts.
 TEST(MachineParts, OfFewDecimalsAreVerified) {
   expect_no_faults(60, [](std::mt19937& random) {
     const Axis_case drawn = machine_part(random);
-    told_of(drawn, [&] {
-      const ba::Medial_axis_2 axis = axis_of_case(drawn, 3e-4 * size_of(drawn.drawing));
-      if (axis.status != ba::Medial_axis_2::Status::COMPLETE) throw Fault("unresolved", "");
-      const auto found = ba::verify_axis(drawn.drawing, axis, {drawn.options.rule, false, {}});
-      if (!found.is_right()) throw Fault("not verified", found.findings.front().place);
-    });
+    require_verified(drawn, 3e-4 * size_of(drawn.drawing));
+  });
+}
+
+// At 10^6 coordinates tell 10^-10, and products of them far less.
+TEST(MachineParts, InTheCoordinatesOfACountryAreVerified) {
+  expect_no_faults(60, [](std::mt19937& random) {
+    Axis_case drawn = machine_part(random);
+    const double eps = 3e-4 * size_of(drawn.drawing);
+    constexpr Point PLACES[] = {{350000, 5800000}, {2600000, 1200000}, {-1e6, 1e6}};
+    const Point& place = one_of(random, PLACES);
+    Drawing moved;
+    for (const auto& curve : drawn.drawing.curves())
+      moved.add(mapped_chain(curve.beziers, [&](const Point& p) { return p + place; }));
+    drawn.drawing = std::move(moved);
+    require_verified(drawn, eps);
   });
 }
 

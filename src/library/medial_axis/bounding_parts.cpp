@@ -227,7 +227,7 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
   };
   std::vector<char> is_wanted = are_wanted();
   auto parted = std::make_unique<const Parted_segments>(overlay, is_wanted);
-  const double speck = 2 * CLOSE_WALLS * coordinate_size(curves.drawing());
+  const double speck = 2 * (std::max)(close, CLOSE_WALLS * coordinate_size(curves.drawing()));
   const bool has_specks = leave_specks_out(*parted, speck, options.is_framed, rings);
   if (has_specks) {
     is_wanted = are_wanted();

@@ -371,8 +371,8 @@ class Wall_joiner {
     const Xy<double> by[] = {points_[joints_.find(walls_[w].from)] - piece.first.point,
                              points_[joints_.find(walls_[w].to)] - piece.last.point};
     const double most = (std::max)(euclidean_norm(by[0]), euclidean_norm(by[1]));
-    constexpr double LEAST = 0x1p-6;  // of what is close: less is rounding
-    if (!(most > LEAST * close_) || piece.first.t == piece.last.t) return made;
+    constexpr double LEAST = 0x1p-48;  // of the size: less is rounding
+    if (!(most > LEAST * coordinate_size(curves_.drawing())) || piece.first.t == piece.last.t) return made;
     moved_ = (std::max)(moved_, most);
     made.moved = moved(curves_.evaluator(curves_.bezier_of(piece.segment)).curve(), piece, by[0], by[1]);
     return made;

@@ -18,6 +18,7 @@
 #include "Axis_builder.h"
 #include "Axis_editor.h"
 #include "Bounding_parts.h"
+#include "near_origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,8 @@ namespace {
 /// What is asked for, in the unit of the segments.
 struct Asked_axis {
   Medial_axis_2::Options options;
-  double eps;  // how far the axis, and its radius together, may be from the lines between samples
+  double eps;   // how far the axis, and its radius together, may be from the lines between samples
+  double size;  // of coordinates as they were given, which tells how far curves may be moved
   Index_loop loop;
 };
 
@@ -239,7 +241,7 @@ struct Move {
   constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), MANY = 64, SEGMENTS = 1 << 14;  // of all tries
   const std::size_t tries =
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), KINDS, MANY);
-  const double size = coordinate_size(curves.drawing());
+  const double size = asked.size;
   Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size, Axis_boundary::HIDDEN_HEIGHT);
   for (std::uint32_t seed = 0; seed < tries && !is_whole(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
@@ -307,7 +309,14 @@ Medial_axis_2 internal::medial_axis(const Bounding_arc_tree_2& curves, double ep
   check_above_zero("eps", eps);
   if (options.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());
-  return out(curves.unit(), resolved_axis(curves.in_unit(), {options, curves.unit().tolerance_in(eps), loop}));
+  const Segment_hierarchy& segments = curves.in_unit();
+  const double size = coordinate_size(segments.drawing());
+  const Asked_axis asked{options, curves.unit().tolerance_in(eps), size, loop};
+  const Xy<double> origin = segments.is_rounded() ? Xy<double>{0, 0} : near_origin(segments.drawing());
+  if (origin == Xy<double>{0, 0}) return out(curves.unit(), resolved_axis(segments, asked));
+  const Segment_hierarchy near(std::make_shared<const Drawing_2<double>>(moved_by(segments.drawing(), -origin)),
+                               segments.decisions());
+  return out(curves.unit(), moved_by(resolved_axis(near, asked), origin, size));
 }
 
 // Whether an axis is in order.

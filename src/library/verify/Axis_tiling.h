@@ -100,6 +100,8 @@ class Axis_tiling {
       if (!s.is_whole || !is_beside_touched_arc(s)) of_.find(Fault::TILING, "foot at " + text_of(s.begin));
   }
   [[nodiscard]] bool is_beside_touched_arc(const Sector& s) const {
+    // round a joint: a gap on either side of it
+    if (distance(of_.point(s.begin), of_.point(s.end)) <= 2 * of_.room) return true;
     const std::vector<std::size_t> curves = common_curves(s.begin, s.end);
     return std::any_of(curves.begin(), curves.end(), [&](std::size_t curve) { return touched_arcs_.count(curve) > 0; });
   }

@@ -103,7 +103,8 @@ class Checked_axis {
       Curve_place at = p;
       const auto& points = piece(p).control_points();
       bool goes_on = (p.t < 0.5) != is_forward && is_at(is_forward ? points.back() : points.front());
-      while (goes_on && names.size() <= count && (curve.is_closed || (is_forward ? at.bezier + 1 < count : at.bezier > 0))) {
+      while (goes_on && names.size() <= count &&
+             (curve.is_closed || (is_forward ? at.bezier + 1 < count : at.bezier > 0))) {
         const auto next = (at.bezier + (is_forward ? 1 : count - 1)) % count;
         at = {p.curve, static_cast<decltype(p.bezier)>(next), is_forward ? 0.0 : 1.0};
         names.push_back(at);
