@@ -4,10 +4,10 @@
 //
 // Length, area and centroid, beside sums over fine parts in long double and where they are known.
 
-#include "../../src/library/curve/green.h"
 #include "../../src/library/tree/Segment_hierarchy.h"
 #include "cases.h"
 #include "closed_drawings.h"
+#include "measure_checks.h"
 
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -27,17 +26,10 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::area;
 using ba::Bounding_arc_tree_2;
-using ba::centroid;
 using ba::Measure_bounds;
 using Real = long double;
 using Real_point = ba::Xy<Real>;
-
-void expect_holds(const Measure_bounds& b, Real value, Real room, const std::string& what) {
-  EXPECT_LE(b.lower, value + room) << what;
-  EXPECT_GE(b.upper, value - room) << what;
-}
 
 // By the trapezoid rule on 2^k parts, extrapolated as often; moments about the start.
 struct Measures {
@@ -84,53 +76,6 @@ Measures measures_of(const Lattice_drawing& drawing, const Real_point& o) {
     }
   return sum;
 }
-
-// |C'| by differences of homogeneous coordinates.
-class Speed_of_piece {
- public:
-  explicit Speed_of_piece(const Lattice_curve& c) {
-    for (int i = 0; i <= c.degree(); ++i) {
-      const auto& p = c.control_points()[static_cast<std::size_t>(i)];
-      const Real w = c.weight(i);
-      coefficients_.push_back({w * p.x, w * p.y, w});
-    }
-  }
-  Real operator()(Real t) const {
-    std::vector<std::array<Real, 3>> b = coefficients_;
-    for (; b.size() > 2; b.pop_back()) halfway(b, t);
-    const Real n = static_cast<Real>(coefficients_.size() - 1);
-    std::array<Real, 3> p{}, d{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = (1 - t) * b[0][k] + t * b[1][k];
-      d[k] = n * (b[1][k] - b[0][k]);
-    }
-    return std::hypot(d[0] * p[2] - p[0] * d[2], d[1] * p[2] - p[1] * d[2]) / (p[2] * p[2]);
-  }
-  /// Where it is less than about, and 1.
-  [[nodiscard]] std::vector<Real> slow_parameters() const {
-    constexpr int SAMPLES = 64;
-    std::vector<Real> result;
-    for (int k = 1; k < SAMPLES; ++k) {
-      Real low = Real(k - 1) / SAMPLES, high = Real(k + 1) / SAMPLES;
-      if ((*this)(Real(k) / SAMPLES) > (std::min)((*this)(low), (*this)(high))) continue;
-      for (int step = 0; step < 120; ++step) {
-        const Real a = low + (high - low) / 3, b = high - (high - low) / 3;
-        ((*this)(a) < (*this)(b) ? high : low) = (*this)(a) < (*this)(b) ? b : a;
-      }
-      result.push_back(low);
-    }
-    result.push_back(1);
-    return result;
-  }
-
- private:
-  static void halfway(std::vector<std::array<Real, 3>>& b, Real t) {
-    for (std::size_t i = 0; i + 1 < b.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) b[i][k] = (1 - t) * b[i][k] + t * b[i + 1][k];
-  }
-
-  std::vector<std::array<Real, 3>> coefficients_;
-};
 
 TEST(Measures, HoldSumsOverFineParts) {
   std::mt19937 random(1);
@@ -251,76 +196,6 @@ TEST(Measures, OfPolynomialCurvesAreTheNearestDoubles) {
   EXPECT_NEAR(ba::area(Bounding_arc_tree_2(parabola), 0).lower, -4.0 / 3, 1e-15);
 }
 
-// Simpson's rule in long double between parameters where curves are slowest, as in cusps, with what twice as many parts
-// change for its error.
-TEST(Measures, LengthIsThatOfFineParts) {
-  std::mt19937 random(3);
-  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
-  int sharp = 0;
-  const int count = cases(100);
-  for (int i = 0; i < count; ++i) {
-    const Placing& place = places[i % 5];
-    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, place));
-    Real length = 0, error = 0;
-    for (const auto& curve : index.drawing().curves())
-      for (const auto& c : curve.beziers) {
-        const Speed_of_piece speed(c);
-        const auto simpson = [&](Real from, Real to, int parts) {
-          Real sum = speed(from) + speed(to);
-          for (int k = 1; k < parts; ++k) sum += (k % 2 == 0 ? 2 : 4) * speed(from + (to - from) * k / parts);
-          return (to - from) * sum / (3 * parts);
-        };
-        Real fine = 0, rough = 0, from = 0;
-        for (const Real to : speed.slow_parameters()) {
-          fine += simpson(from, to, 512);
-          rough += simpson(from, to, 256);
-          from = to;
-        }
-        length += fine;
-        error += std::fabs(fine - rough);
-      }
-    for (const double tolerance : {1e-3, 1e-6, 1e-12}) {
-      const Measure_bounds b = ba::length(index, tolerance * place.scale);
-      const Real far = std::fabs(place.y) * 0x1p-53L;
-      expect_holds(b, length, 4 * error + 1e-16L * length + far / 64, "drawing " + std::to_string(i));
-      EXPECT_LE(b.upper - b.lower, (tolerance + 1e-11) * place.scale + 1e4L * far);
-    }
-    sharp += error < 1e-9L * place.scale;
-  }
-  EXPECT_GT(sharp, count / 3);
-}
-
-// Lines that turn back where only rounded points are, so far away that roundings are much of their length.
-TEST(Measures, LengthOfFoldedLinesFarAwayIsHeld) {
-  std::mt19937 random(5);
-  constexpr double FAR = 0x1p46, UNIT = 0x1p-4;  // eight times what coordinates resolve
-  for (int i = 0; i < cases(2000); ++i) {
-    const auto number = [&] { return static_cast<double>(random() % 400); };
-    const double p[3] = {100 + number(), 100 + number(), number()};
-    Lattice_points points;
-    for (const double x : {0.0, p[0], p[1], p[2]}) points.push_back({FAR + UNIT * x, FAR});
-    const auto at = [&](Real t) { return UNIT * t * (3 * (1 - t) * ((1 - t) * p[0] + t * p[1]) + t * t * Real(p[2])); };
-    // x' = 3 (a + b t + c t^2)
-    const Real a = p[0], b = 2 * (Real(p[1]) - 2 * p[0]), c = Real(p[2]) - 3 * p[1] + 3 * p[0];
-    std::vector<Real> turns{0};
-    if (c != 0 && b * b > 4 * a * c) {
-      const Real q = -(b + std::copysign(std::sqrt(b * b - 4 * a * c), b)) / 2;
-      for (const Real t : {q / c, a / q})
-        if (t > 0 && t < 1) turns.push_back(t);
-    } else if (c == 0 && b != 0 && -a / b > 0 && -a / b < 1) {
-      turns.push_back(-a / b);
-    }
-    turns.push_back(1);
-    std::sort(turns.begin(), turns.end());
-    Real exact = 0;
-    for (std::size_t k = 1; k < turns.size(); ++k) exact += std::fabs(at(turns[k]) - at(turns[k - 1]));
-    ba::Drawing_2<double> line;
-    line.add(Lattice_curve(points));
-    expect_holds(ba::length(Bounding_arc_tree_2(line), 1e-3), exact, 1e-15L * exact, "line " + std::to_string(i));
-    if (HasFailure()) return;
-  }
-}
-
 TEST(Measures, OfRationalNumbersHoldTheExactOnes) {
   using Exact = CGAL::Exact_rational;
   const auto third = [](int x, int y) { return ba::Xy<Exact>{Exact(x) / 3, Exact(y) / 3}; };
@@ -359,104 +234,6 @@ TEST(Measures, AreKnownForCuspsPointsAndNothing) {
   }
   EXPECT_FALSE(ba::centroid(none, 0));
   EXPECT_THROW((void)ba::length(none, std::nan("")), std::invalid_argument);
-}
-
-// B-splines of a drawing in doubles, whose inserted knots are rounded.
-struct Random_b_spline {
-  std::mt19937 random;
-
-  ba::B_spline_curve_2<double> operator()(bool is_rational) {
-    std::uniform_real_distribution<double> coordinate(-1, 1), step(0.1, 1);
-    const int degree = 1 + static_cast<int>(random() % 4);
-    const std::size_t n = static_cast<std::size_t>(degree) + 2 + random() % 6;
-    std::vector<ba::Xy<double>> points;
-    std::vector<double> weights, knots;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double x = coordinate(random);
-      points.push_back({x, coordinate(random)});
-    }
-    if (is_rational)
-      for (std::size_t i = 0; i < n; ++i) weights.push_back(step(random));
-    if (random() % 2 == 0) return ba::B_spline_curve_2<double>::periodic(degree, points, {}, weights);
-    if (random() % 2 == 0) {  // one period of knots, some of them double
-      double t = coordinate(random);
-      for (std::size_t i = 0; i <= n; ++i)
-        knots.push_back(t += i > 0 && random() % 8 == 0 && degree > 1 ? 0 : step(random));
-      if (!has_runs(knots)) return ba::B_spline_curve_2<double>::periodic(degree, points, knots, weights);
-      knots.clear();
-    }
-    points.back() = points.front();  // clamped
-    for (int i = 0; i <= degree; ++i) knots.push_back(0);
-    for (std::size_t i = static_cast<std::size_t>(degree) + 1; i < n; ++i) knots.push_back(knots.back() + step(random));
-    for (int i = 0; i <= degree; ++i) knots.push_back(i == 0 ? knots.back() + step(random) : knots.back());
-    return ba::B_spline_curve_2<double>(degree, points, knots, weights);
-  }
-  // Of three or more, or at an end.
-  static bool has_runs(const std::vector<double>& knots) {
-    for (std::size_t i = 2; i < knots.size(); ++i)
-      if (knots[i] == knots[i - 2]) return true;
-    return knots[0] == knots[1] || knots[knots.size() - 1] == knots[knots.size() - 2];
-  }
-};
-
-TEST(Area, OfBSplinesIsThatOfTheirExactCurves) {
-  Random_b_spline curves{std::mt19937(71)};
-  int differ = 0;
-  for (int i = 0; i < cases(300); ++i) {
-    const auto curve = curves(false);
-    CGAL::Exact_rational exact(0), of_pieces(0);
-    for (const auto& piece : curve.over<CGAL::Exact_rational>().bezier_pieces())
-      exact += ba::moments_along(piece, {0, 0}, false).area;
-    ba::Drawing_2<double> drawing;
-    drawing.add(curve);
-    const Bounding_arc_tree_2 index(drawing);
-    for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
-      of_pieces += ba::moments_along(index.in_unit().exact_bezier(b), {0, 0}, false).area;
-    const Measure_bounds found = area(index, 0);
-    EXPECT_TRUE(CGAL::Exact_rational(found.lower) <= exact && exact <= CGAL::Exact_rational(found.upper)) << i;
-    EXPECT_LE(found.upper, std::nextafter(found.lower, HUGE_VAL)) << i;
-    differ += of_pieces < CGAL::Exact_rational(found.lower) || CGAL::Exact_rational(found.upper) < of_pieces;
-  }
-  EXPECT_GT(differ, cases(300) / 10);  // of the pieces in doubles
-}
-
-// Knots that are rounded leave a gap between the exact ends, which doubles do not tell.
-TEST(Area, OfABSplineThatDoublesCloseIsThatOfItsPieces) {
-  const std::vector<ba::Xy<double>> points{{0, 0}, {3, 0}, {3, 2}, {0, 2}, {0, 0}, {3, 0}, {3, 2}};
-  std::vector<double> knots;
-  for (int i = 0; i < 11; ++i) knots.push_back(5.7 / 3 * i);
-  const ba::B_spline_curve_2<double> curve(3, points, knots);
-  const auto exact = curve.over<CGAL::Exact_rational>().bezier_pieces();
-  ASSERT_NE(exact.front().control_points().front(), exact.back().control_points().back());
-  ba::Drawing_2<double> drawing, pieces;
-  drawing.add(curve);
-  pieces.add(drawing.curves().front().beziers);
-  ASSERT_TRUE(drawing.curves().front().is_closed);
-  EXPECT_EQ(area(Bounding_arc_tree_2(drawing), 0).lower, area(Bounding_arc_tree_2(pieces), 0).lower);
-}
-
-TEST(Measures, OfBSplinesAreThoseOfTheirExactCurves) {
-  Random_b_spline curves{std::mt19937(72)};
-  constexpr double TOLERANCE = 1e-9;
-  for (int i = 0; i < cases(20); ++i) {
-    const auto curve = curves(i % 2 == 0);
-    ba::Drawing_2<double> rounded;
-    rounded.add(curve);
-    ba::Drawing_2<CGAL::Exact_rational> exact;
-    exact.add(curve.over<CGAL::Exact_rational>());
-    const Bounding_arc_tree_2 index(rounded), exact_index(exact);
-    const auto expect_same = [&](const Measure_bounds& a, const Measure_bounds& b) {
-      EXPECT_EQ(a.lower, b.lower) << i;
-      EXPECT_EQ(a.upper, b.upper) << i;
-    };
-    expect_same(area(index, TOLERANCE), area(exact_index, TOLERANCE));
-    expect_same(length(index, TOLERANCE), length(exact_index, TOLERANCE));
-    const auto a = centroid(index, TOLERANCE), b = centroid(exact_index, TOLERANCE);
-    ASSERT_EQ(a.has_value(), b.has_value());
-    if (!a) continue;
-    expect_same(a->x, b->x);
-    expect_same(a->y, b->y);
-  }
 }
 
 }  // namespace

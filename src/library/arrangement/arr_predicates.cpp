@@ -6,7 +6,7 @@
 
 #include "../overlay/Boundary_sum.h"
 #include "../overlay/Meeting_places.h"
-#include "Exact_place.h"
+#include "exact_places.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
@@ -26,8 +26,6 @@
 namespace CGAL::Bounding_arcs::internal {
 
 namespace {
-
-[[nodiscard]] Comparison_result opposite(Comparison_result r) { return static_cast<Comparison_result>(-r); }
 
 [[nodiscard]] Comparison_result compare_coordinates(const Arr_point_2& p, const Arr_point_2& q, bool is_x) {
   const Bracket &a = is_x ? p.data()->x : p.data()->y, &b = is_x ? q.data()->x : q.data()->y;
@@ -295,7 +293,7 @@ Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_
   }
   if (c.data() == d.data() && c.branch() == d.branch()) return EQUAL;
   const Bracket t = parameter_at(c, p), s = parameter_at(d, p);
-  if (const Comparison_result r = compare_slopes(c, t, d, s); r != EQUAL) return is_right ? r : opposite(r);
+  if (const Comparison_result r = compare_slopes(c, t, d, s); r != EQUAL) return is_right ? r : CGAL::opposite(r);
   // Between p and the next place where the curves meet or one of them ends, one is above the other one.
   Arr_point_2 next = is_right ? c.right() : c.left();
   const Comparison_result beyond = is_right ? LARGER : SMALLER;

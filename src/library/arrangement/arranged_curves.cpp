@@ -5,7 +5,7 @@
 // Curves of arrangements: what is known of them ahead, their parts that are monotone in x, what two have in common.
 
 #include "../overlay/Meeting_places.h"
-#include "Exact_place.h"
+#include "exact_places.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
@@ -28,13 +28,6 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-[[nodiscard]] Arranged_point_handle point_of_doubles(const Xy<double>& p) {
-  auto data = std::make_shared<Arranged_point>();
-  data->x = {p.x, p.x};
-  data->y = {p.y, p.y};
-  return data;
-}
-
 [[nodiscard]] const Bezier_curve_2<double>& checked(const Bezier_curve_2<double>& curve) {
   check_served(curve);
   return curve;
@@ -47,8 +40,8 @@ Arranged_curve::Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t
   static std::atomic<std::uint64_t> count{0};
   number_ = ++count;
   const auto& p = bezier.control_points();
-  start_ = point_of_doubles(p.front());
-  end_ = p.front() == p.back() ? start_ : point_of_doubles(p.back());
+  start_ = Arr_point_2(p.front().x, p.front().y).data();
+  end_ = p.front() == p.back() ? start_ : Arr_point_2(p.back().x, p.back().y).data();
   const auto by_x = [](const Xy<double>& a, const Xy<double>& b) { return a.x < b.x; };
   const auto by_y = [](const Xy<double>& a, const Xy<double>& b) { return a.y < b.y; };
   const auto x = std::minmax_element(p.begin(), p.end(), by_x), y = std::minmax_element(p.begin(), p.end(), by_y);
@@ -65,8 +58,8 @@ Arranged_curve::Box Arranged_curve::at(const Bracket& t) const {
     const Xy<double>& p = t.lower == 0 ? bezier().control_points().front() : bezier().control_points().back();
     return {{p.x, p.x}, {p.y, p.y}};
   }
-  const double middle = t.lower + t.width() / 2, reach = evaluator_.point_error() + first_bound_ * t.width();
-  const Xy<double> p = evaluator_(middle).point;
+  const double reach = evaluator_.point_error() + first_bound_ * t.width();
+  const Xy<double> p = evaluator_(t.middle()).point;
   return {x_.is_single() ? x_ : range_around(p.x, reach), y_.is_single() ? y_ : range_around(p.y, reach)};
 }
 

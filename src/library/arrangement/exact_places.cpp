@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of Exact_place.h.
+// Bodies of exact_places.h.
 
-#include "Exact_place.h"
+#include "exact_places.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include "../curve/exact_bezier.h"
@@ -14,28 +14,6 @@
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs::internal {
-
-namespace {
-
-/// The values of p over a range. \pre the range is in [0, infinity)
-[[nodiscard]] Exact_range values_over(const Univariate& p, const Exact_range& t) {
-  Exact_range value{Exact_rational(0), Exact_rational(0)};
-  for (int i = p.degree(); i >= 0; --i) {
-    const Exact_rational c(coefficient(p, i));
-    value = {Exact_rational(value.lower * (CGAL::is_negative(value.lower) ? t.upper : t.lower) + c),
-             Exact_rational(value.upper * (CGAL::is_negative(value.upper) ? t.lower : t.upper) + c)};
-  }
-  return value;
-}
-
-}  // namespace
-
-std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate& d, const Exact_range& t) {
-  const Exact_range p = values_over(n, t), q = values_over(d, t);
-  if (!CGAL::is_positive(q.lower)) return std::nullopt;
-  return Exact_range{Exact_rational(p.lower / (CGAL::is_negative(p.lower) ? q.lower : q.upper)),
-                     Exact_rational(p.upper / (CGAL::is_negative(p.upper) ? q.upper : q.lower))};
-}
 
 Arranged_pair::Arranged_pair(Arranged_curve_handle first, Arranged_curve_handle second)
     : a(std::move(first)), b(std::move(second)) {}
@@ -49,84 +27,6 @@ const Exact_common& exact_common(const Arranged_pair& pair) {
     const bool is_b_first = q.is_straight() && !p.is_straight();
     return Exact_common{is_b_first, is_b_first ? exact_meetings(q, p) : exact_meetings(p, q)};
   });
-}
-
-namespace {
-
-/// The numerator of p(from + u (to - from)), u in [0,1], in Bernstein's form; from and to over 2^k.
-[[nodiscard]] Bernstein_polynomial<Integer> over_range(const Univariate& p, const Integer& from, const Integer& to,
-                                                       int k) {
-  const Univariate way = polynomial<Integer>({from, Integer(to - from)});
-  Univariate value(Integer(0));
-  Integer power(1);
-  for (int i = p.degree(); i >= 0; --i) {
-    value = value * way + Univariate(Integer(coefficient(p, i) * power));
-    power *= power_of_two(k);
-  }
-  return to_bernstein(value, p.degree());
-}
-
-/// n(t) / d(t) as a number of its own. \pre d is positive on [0,1]
-[[nodiscard]] Exact_parameter coordinate_at(const Univariate& n, const Univariate& d, const Exact_parameter& t) {
-  Univariate common = CGAL::gcd(n, d);  // elsewhere on the curve; all numbers would be roots of the resultant
-  if (CGAL::sign(Integer(coefficient(common, 0))) == CGAL::NEGATIVE) common = -common;
-  const Univariate x = CGAL::integral_division(n, common), w = CGAL::integral_division(d, common);
-  std::vector<Univariate> by_t;  // x(t) - x w(t), coefficients in x
-  for (int j = 0; j <= (std::max)(x.degree(), w.degree()); ++j)
-    by_t.push_back(polynomial<Integer>({coefficient(x, j), Integer(-coefficient(w, j))}));
-  const Univariate m = t.polynomial();
-  std::vector<Univariate> constants;
-  for (int j = 0; j <= m.degree(); ++j) constants.emplace_back(coefficient(m, j));
-  const Univariate all = CGAL::resultant(polynomial(constants), polynomial(by_t));
-  const auto roots = std::make_shared<const Univariate>(square_free(all));
-  constexpr int SPARE_BITS = 8;
-  for (int bits = FIRST_BITS;; bits *= 2) {
-    t.refine_to(bits);
-    const std::optional<Exact_range> range = quotients_over(x, w, {t.lower(), t.upper()});
-    if (!range) continue;
-    if (range->lower == range->upper) return Exact_parameter(range->lower);
-    const int k = bits + SPARE_BITS;
-    const auto scaled = [k](const Exact_rational& bound) {
-      const auto [numerator, denominator] = decomposed(Exact_rational(bound * Exact_rational(power_of_two(k))));
-      return Integer(numerator / denominator);
-    };
-    const Integer from = scaled(range->lower) - Integer(1), to = scaled(range->upper) + Integer(1);
-    const auto over = over_range(*roots, from, to, k);
-    const auto& c = over.scaled_coefficients();
-    if (c.front() != Integer(0) && c.back() != Integer(0) && sign_variations(over).most() == 1)
-      return Exact_parameter(Real_root(roots, from, to, k));
-  }
-}
-
-}  // namespace
-
-std::optional<Exact_point> Exact_place::rational_point() const {
-  if (!curve_) return Exact_point{coordinates_[0]->lower(), coordinates_[1]->lower()};
-  if (t_->lower() != t_->upper()) return std::nullopt;
-  return curve_->point(t_->lower());
-}
-
-Exact_range Exact_place::range(bool is_x, int bits) const {
-  if (!curve_) return {coordinates_[is_x ? 0 : 1]->lower(), coordinates_[is_x ? 0 : 1]->lower()};
-  const Integer_piece& piece = curve_->piece();
-  for (;; bits *= 2) {
-    t_->refine_to(bits);
-    if (auto range = quotients_over(is_x ? piece.x : piece.y, piece.w, {t_->lower(), t_->upper()})) return *range;
-  }
-}
-
-const Exact_parameter& Exact_place::coordinate(bool is_x) {
-  std::optional<Exact_parameter>& number = coordinates_[is_x ? 0 : 1];
-  if (!number) number = coordinate_at(is_x ? curve_->piece().x : curve_->piece().y, curve_->piece().w, *t_);
-  return *number;
-}
-
-int Exact_place::compare(Exact_place& other, bool is_x) {
-  const Exact_range a = range(is_x, FIRST_BITS), b = other.range(is_x, FIRST_BITS);
-  if (a.upper < b.lower) return -1;
-  if (b.upper < a.lower) return 1;
-  if (curve_ && curve_ == other.curve_ && t_->compare(*other.t_) == 0) return 0;
-  return coordinate(is_x).compare(other.coordinate(is_x));
 }
 
 namespace {
@@ -151,7 +51,7 @@ namespace {
   }
   for (const Real_root& t : unit_roots(places_of(c.piece(), at.curve()->piece(), at.t().polynomial()))) {
     Exact_place candidate(c, Exact_parameter(t));
-    if (candidate.compare(at, true) == 0 && candidate.compare(at, false) == 0) found.push_back(candidate.t());
+    if (candidate.is_at(at)) found.push_back(candidate.t());
   }
   return found;
 }

@@ -79,10 +79,19 @@ class Filled_faces {
     if (is_reversed(s)) std::reverse(spans.begin(), spans.end());
     for (const Bezier_span& span : spans) {
       const Operand_bezier& at = united.beziers[span.bezier];
-      const Xy<double> from = point(span.bezier, span.from, span.first_cut),
-                       to = point(span.bezier, span.to, span.last_cut);
-      if (is_reversed(s)) chain.parts.push_back({at.operand, at.curve, at.bezier, span.to, span.from, true, to, from});
-      else chain.parts.push_back({at.operand, at.curve, at.bezier, span.from, span.to, false, from, to});
+      Outline_2::Part part{at.operand,
+                           at.curve,
+                           at.bezier,
+                           span.from,
+                           span.to,
+                           is_reversed(s),
+                           point(span.bezier, span.from, span.first_cut),
+                           point(span.bezier, span.to, span.last_cut)};
+      if (part.is_reversed) {
+        std::swap(part.from, part.to);
+        std::swap(part.start, part.end);
+      }
+      chain.parts.push_back(part);
     }
   }
   return chain;

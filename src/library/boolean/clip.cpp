@@ -30,10 +30,9 @@ class Clipper {
   Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule,
           const Numbered_intersections& found)
       : curves_(curves), region_(region), unit_(unit), rule_(rule), places_(curves, region, found),
-        places_of_(curves.number_of_beziers()), overlaps_of_(curves.number_of_beziers()) {
+        places_of_(curves.number_of_beziers()) {
     for (std::size_t i = 0; i < places_.meetings().size(); ++i)
       places_of_[places_.meetings()[i].bezier[0]].push_back(static_cast<Place_number>(2 * i));
-    for (std::size_t i = 0; i < found.overlaps.size(); ++i) overlaps_of_[found.overlaps[i].beziers.first].push_back(i);
     if (places_.undecided()) leave_open(*places_.undecided());
   }
 
@@ -61,6 +60,7 @@ class Clipper {
   struct Cut {
     Bracket t;
     std::optional<Place_number> place;
+    int overlaps;  ///< that run along the part behind it
   };
   [[nodiscard]] Exact_parameter parameter(const Cut& cut) {
     return cut.place ? places_.parameter(*cut.place) : Exact_parameter(Exact_rational(cut.t.lower));
@@ -69,31 +69,19 @@ class Clipper {
   void add_parts(std::uint32_t curve, std::uint32_t number, std::uint32_t bezier, Clipped_2& result) {
     const Sorted_places sorted = places_.sorted(places_of_[bezier]);
     if (sorted.undecided) return leave_open(*sorted.undecided);
-    constexpr Bracket START{0, 0}, END{1, 1};
-    std::vector<Cut> cuts{{START, std::nullopt}};
-    std::vector<std::size_t> cut_of_class;
+    std::vector<Cut> cuts{{{0, 0}, std::nullopt, 0}};
+    int overlaps = 0;  // that the piece is on behind a class
     for (const auto& equal : sorted.classes) {
+      for (const Place_number p : equal) overlaps += places_.overlaps_begun(p);
       const Bracket& t = places_.bracket(equal.front());
-      const bool is_start = t.is_single() && t.lower == 0, is_end = t.is_single() && t.lower == 1;
-      if (!is_start && !is_end) cuts.push_back({t, equal.front()});
-      cut_of_class.push_back(is_end ? cuts.size() : cuts.size() - 1);
+      if (t.is_single() && t.lower == 0) cuts.front().overlaps = overlaps;
+      else if (!(t.is_single() && t.lower == 1)) cuts.push_back({t, equal.front(), overlaps});
     }
-    cuts.push_back({END, std::nullopt});
-    std::vector<char> is_along(cuts.size() - 1, 0);
-    for (const std::size_t overlap : overlaps_of_[bezier]) {
-      const auto cut_at = [&](std::size_t end) {
-        const auto holds_end = [p = places_.overlap_place(overlap, end)](const auto& equal) {
-          return std::find(equal.begin(), equal.end(), p) != equal.end();
-        };
-        const auto at = std::find_if(sorted.classes.begin(), sorted.classes.end(), holds_end);
-        return cut_of_class[static_cast<std::size_t>(at - sorted.classes.begin())];
-      };
-      for (std::size_t i = cut_at(0), end = cut_at(2); i < end; ++i) is_along[i] = 1;
-    }
+    cuts.push_back({{1, 1}, std::nullopt, 0});
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const Cut &from = cuts[i], &to = cuts[i + 1];
       Clipped_2::Part part{curve, number, from.t, to.t, point(bezier, from.t), point(bezier, to.t), ON_BOUNDARY};
-      if (is_along[i] == 0) {
+      if (from.overlaps == 0) {
         const std::optional<Bounded_side> side = side_between(bezier, from, to);
         if (!side) {
           undecided_ = {part.start, {0, curve, number}, {1, 0, 0}};
@@ -135,8 +123,7 @@ class Clipper {
   const Unit& unit_;
   Fill_rule rule_;
   Meeting_places places_;
-  std::vector<std::vector<Place_number>> places_of_;   // by Bezier piece
-  std::vector<std::vector<std::size_t>> overlaps_of_;  // by Bezier piece
+  std::vector<std::vector<Place_number>> places_of_;  // by Bezier piece
   std::optional<Overlay_2::Undecided> undecided_;
 };
 

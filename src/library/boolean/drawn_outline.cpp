@@ -352,7 +352,6 @@ Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees
   result.outline.undecided = outline.undecided;
   internal::Chain_drawer drawer(trees);
   std::vector<std::optional<std::size_t>> numbers;  // of the chains given among those drawn
-  std::vector<std::optional<std::size_t>> parents;  // of the chains drawn among those given
   for (const Outline_2::Chain& given : outline.chains) {
     drawer.start(given.parts);
     if (options.drops_slivers) drawer.drop_slivers();
@@ -366,14 +365,14 @@ Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees
       chain.parts.push_back(drawn.part);
     }
     numbers.back() = result.outline.chains.size();
-    parents.push_back(given.parent);
     result.outline.chains.push_back(std::move(chain));
     internal::add_chain(std::move(curves), result.drawing);
   }
-  for (std::size_t i = 0; i < parents.size(); ++i) {
-    std::optional<std::size_t> parent = parents[i];
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!numbers[i]) continue;
+    std::optional<std::size_t> parent = outline.chains[i].parent;
     while (parent && !numbers[*parent]) parent = outline.chains[*parent].parent;
-    if (parent) result.outline.chains[i].parent = numbers[*parent];
+    if (parent) result.outline.chains[*numbers[i]].parent = numbers[*parent];
   }
   return result;
 }

@@ -12,17 +12,17 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_COMPONENT_RAYS_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_COMPONENT_RAYS_H
 
-#include <CGAL/FPU.h>
-#include <CGAL/number_utils.h>
-#include <algorithm>
-#include <cmath>
 #include "Cut_curves.h"
 
 #include "../query/Winding_search.h"
 #include "../tree/Box_tree.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/FPU.h>
+#include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -120,27 +120,9 @@ void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
   for (std::uint32_t c = 0; c < cuts_.size(); ++c) by_vertex_[next[cuts_[c].vertex]++] = c;
 }
 
-namespace {
-
-/// 0 or 1.
-[[nodiscard]] const Exact_parameter& end_of_piece(bool is_last) {
+const Exact_parameter& Cut_curves::parameter(const Bracket& at, std::uint32_t cut) const {
   static const Exact_parameter ENDS[] = {Exact_parameter(Exact_rational(0)), Exact_parameter(Exact_rational(1))};
-  return ENDS[is_last ? 1 : 0];
-}
-
-}  // namespace
-
-const Exact_parameter& Cut_curves::parameter(std::uint32_t cut) const {
-  const Curve_cut& c = cuts_[cut];
-  return c.place != NO_NUMBER ? places_.parameter(c.place) : end_of_piece(!c.at.is_start());
-}
-
-const Exact_parameter& Cut_curves::start_of(const Bezier_span& span) const {
-  return span.first_cut == NO_NUMBER ? end_of_piece(false) : parameter(span.first_cut);
-}
-// The cut at the end of a piece is the start of the next one.
-const Exact_parameter& Cut_curves::end_of(const Bezier_span& span) const {
-  return span.last_cut == NO_NUMBER || span.to.lower == 1 ? end_of_piece(true) : parameter(span.last_cut);
+  return is_end_of_piece(at) ? ENDS[at.lower == 0 ? 0 : 1] : places_.parameter(cuts_[cut].place);
 }
 
 void Cut_curves::add_edges() {

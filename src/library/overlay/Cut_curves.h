@@ -109,10 +109,10 @@ class Cut_curves {
   /// Whether all of a Bezier piece is one point.
   [[nodiscard]] bool is_point(std::uint32_t bezier) const { return curves_.is_point(bezier); }
   /// The exact parameter of a cut. \pre decisions are exact
-  [[nodiscard]] const Exact_parameter& parameter(std::uint32_t cut) const;
+  [[nodiscard]] const Exact_parameter& parameter(std::uint32_t cut) const { return parameter(cuts_[cut].at.t, cut); }
   /// The exact parameters between which a span is. \pre decisions are exact
-  [[nodiscard]] const Exact_parameter& start_of(const Bezier_span& span) const;
-  [[nodiscard]] const Exact_parameter& end_of(const Bezier_span& span) const;
+  [[nodiscard]] const Exact_parameter& start_of(const Bezier_span& s) const { return parameter(s.from, s.first_cut); }
+  [[nodiscard]] const Exact_parameter& end_of(const Bezier_span& s) const { return parameter(s.to, s.last_cut); }
   /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
   [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
   [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }
@@ -127,6 +127,7 @@ class Cut_curves {
   [[nodiscard]] bool add_cuts_inside(std::uint32_t bezier, const std::vector<Place_number>& places,
                                      std::vector<std::uint32_t>& nodes);
   [[nodiscard]] std::uint32_t node_of(Place_number p) const;
+  [[nodiscard]] const Exact_parameter& parameter(const Bracket& at, std::uint32_t cut) const;
   [[nodiscard]] std::uint32_t cut_of(Place_number p) const { return cut_of_node_[node_of(p)]; }
   void number_vertices(const std::vector<std::uint32_t>& nodes);
   void add_edges();

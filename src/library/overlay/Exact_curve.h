@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A Bezier piece and its parameters in exact numbers, and how two pieces leave a common point.
+// A Bezier piece, its parameters and its points in exact numbers, and how two pieces leave a common point.
 
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_EXACT_CURVE_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_EXACT_CURVE_H
@@ -17,6 +17,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -109,6 +110,43 @@ class Exact_curve {
 /// Where two segments that are not parallel meet, on the line of the first one.
 /// \return nothing of other curves
 [[nodiscard]] std::optional<Exact_parameter> crossing_of_segments(const Exact_curve& a, const Exact_curve& b);
+
+/// A range of rational numbers.
+struct Exact_range {
+  Exact_rational lower, upper;
+};
+/// The values of n / d over a range. \pre d is positive there, for ranges that are small enough
+/// \return nothing where the range of d's values reaches 0
+[[nodiscard]] std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate& d, const Exact_range& t);
+
+/// Bits that tell nearly all numbers apart which are not equal.
+inline constexpr int FIRST_BITS = 96;
+
+/// A point in exact numbers: a pair of rational ones, or a place on a curve (x/w, y/w).  At a root t of a polynomial m
+/// coordinates are roots of resultants: x of res_t(m(t), x(t) - x w(t)).  Intervals of t are halved until intervals of
+/// x hold one root alone.
+class Exact_place {
+ public:
+  explicit Exact_place(const Exact_point& p) : coordinates_{Exact_parameter(p.x), Exact_parameter(p.y)} {}
+  Exact_place(const Exact_curve& curve, Exact_parameter t) : curve_(&curve), t_(std::move(t)) {}
+
+  /// The curve that it is on; none of a pair of doubles.
+  [[nodiscard]] const Exact_curve* curve() const { return curve_; }
+  [[nodiscard]] const Exact_parameter& t() const { return *t_; }
+  /// Both coordinates, where a rational parameter or doubles tell them.
+  [[nodiscard]] std::optional<Exact_point> rational_point() const;
+  /// A coordinate in a range that is narrower the more bits are asked for.
+  [[nodiscard]] Exact_range range(bool is_x, int bits) const;
+  [[nodiscard]] const Exact_parameter& coordinate(bool is_x);
+  /// -1, 0 or 1 as a coordinate is less, equal or greater.
+  [[nodiscard]] int compare(Exact_place& other, bool is_x);
+  [[nodiscard]] bool is_at(Exact_place& other) { return compare(other, true) == 0 && compare(other, false) == 0; }
+
+ private:
+  const Exact_curve* curve_ = nullptr;
+  std::optional<Exact_parameter> t_;
+  std::array<std::optional<Exact_parameter>, 2> coordinates_;  // made when they are asked for
+};
 
 /// The first way of a curve from a place on it, along which x and y are monotone.
 struct Exact_way {

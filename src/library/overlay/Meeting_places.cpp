@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -194,80 +196,50 @@ std::vector<Place_number> Meeting_places::touching(Place_number p) const {
   return group;
 }
 
-namespace {
-
-/// Gives each of so many its own one of so many, where is_one_of(i, j) tells which ones it may have (Kuhn, 1955).
-/// \return nothing where that cannot be
-template <class Is_one_of>
-[[nodiscard]] std::optional<std::vector<std::size_t>> matched(std::size_t count, const Is_one_of& is_one_of) {
-  std::vector<std::size_t> owner(count, count);  // by j
-  std::vector<char> is_tried;
-  const auto find = [&](std::size_t i, const auto& again) -> bool {
-    for (std::size_t j = 0; j < count; ++j) {
-      if (is_tried[j] != 0 || !is_one_of(i, j)) continue;
-      is_tried[j] = 1;
-      if (owner[j] == count || again(owner[j], again)) {
-        owner[j] = i;
-        return true;
-      }
-    }
-    return false;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    is_tried.assign(count, 0);
-    if (!find(i, find)) return std::nullopt;
-  }
-  return owner;
-}
-
-}  // namespace
-
 // Which of these common points has which parameters: any that are within its brackets, as that only gives them names.
 Exact_parameter Meeting_places::told_apart(Place_number p) {
   const std::vector<Place_number> group = touching(p);
   const std::vector<Exact_pair> pairs = exact_pairs(group);
   if (pairs.size() != group.size()) fail(pairs.size());
-  const auto owner = matched(group.size(), [&](std::size_t i, std::size_t j) {
-    return pairs[j].t.is_in(bracket(group[i])) && pairs[j].s.is_in(bracket(group[i] + 1));
-  });
-  if (!owner) fail(0);
+  std::vector<std::size_t> owner(group.size(), group.size());  // of a pair, along augmenting ways (Kuhn 1955)
+  std::vector<char> is_tried;
+  const std::function<bool(std::size_t)> is_given = [&](std::size_t i) {
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      if (!pairs[j].t.is_in(bracket(group[i])) || !pairs[j].s.is_in(bracket(group[i] + 1))) continue;
+      if (std::exchange(is_tried[j], 1) != 0 || (owner[j] < group.size() && !is_given(owner[j]))) continue;
+      owner[j] = i;
+      return true;
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    is_tried.assign(group.size(), 0);
+    if (!is_given(i)) fail(0);
+  }
   const auto own = std::find(group.begin(), group.end(), p - p % 2) - group.begin();
-  const Exact_pair& pair = pairs[std::find(owner->begin(), owner->end(), own) - owner->begin()];
+  const Exact_pair& pair = pairs[std::find(owner.begin(), owner.end(), own) - owner.begin()];
   return p % 2 == 0 ? pair.t : pair.s;
 }
 
-// The exact parameters of these common points on both curves. The second piece is cut between its parameters, and each
-// part meets the first piece at those that belong to one.
+// The exact parameters of these common points on both curves: those of either curve that are at one point.
 std::vector<Meeting_places::Exact_pair> Meeting_places::exact_pairs(const std::vector<Place_number>& group) {
   const Meeting& any = meetings_[group.front() / 2];
   const bool is_one = curves_[0] == curves_[1] && any.bezier[0] == any.bezier[1];
   std::vector<Place_number> second;
-  Bracket range = bracket(group.front() + 1);
-  for (const Place_number q : group) {
-    second.push_back(q + 1);
-    range = {(std::min)(range.lower, bracket(q + 1).lower), (std::max)(range.upper, bracket(q + 1).upper)};
-  }
-  std::vector<Exact_parameter> s = candidates(second.front(), second);
-  s.erase(std::unique(s.begin(), s.end(), [](const auto& a, const auto& b) { return a.compare(b) == 0; }), s.end());
+  for (const Place_number q : group) second.push_back(q + 1);
+  const std::vector<Exact_parameter> of_second = candidates(second.front(), second);
   std::vector<Exact_pair> pairs;
-  const auto add = [&](const Exact_parameter& t, const Exact_parameter& at) {
-    const auto is_at = [&](Place_number q) { return t.is_in(bracket(q)) && at.is_in(bracket(q + 1)); };
-    if (std::any_of(group.begin(), group.end(), is_at) && (!is_one || t.compare(at) < 0)) pairs.push_back({t, at});
-  };
-  if (range.is_single() && s.size() == 1)
-    for (const Exact_parameter& t : candidates(group.front(), group)) add(t, s.front());
-  Exact_curve &a = curve(*curves_[0], any.bezier[0]), &b = curve(*curves_[1], any.bezier[1]);
-  Exact_rational low(range.lower);
-  for (std::size_t j = 0; !range.is_single() && j < s.size(); ++j) {
-    const Exact_rational high = j + 1 < s.size() ? number_between(s[j], s[j + 1]) : Exact_rational(range.upper);
-    for (const Exact_meeting& e : exact_meetings(a.piece(), Integer_piece(b.bezier().subcurve(low, high))).points)
-      add(Exact_parameter(e.t), s[j]);
-    low = high;
+  for (const Exact_parameter& t : candidates(group.front(), group)) {
+    Exact_place at(curve(*curves_[0], any.bezier[0]), t);
+    for (const Exact_parameter& s : of_second) {
+      const auto is_in = [&](Place_number q) { return t.is_in(bracket(q)) && s.is_in(bracket(q + 1)); };
+      const auto is_this = [&](const Exact_pair& p) { return t.compare(p.t) == 0 && s.compare(p.s) == 0; };
+      if ((!is_one || t.compare(s) < 0) && std::any_of(group.begin(), group.end(), is_in) &&
+          std::none_of(pairs.begin(), pairs.end(), is_this) &&
+          Exact_place(curve(*curves_[1], any.bezier[1]), s).is_at(at))
+        pairs.push_back({t, s});
+    }
   }
-  std::sort(pairs.begin(), pairs.end(), [](const Exact_pair& p, const Exact_pair& q) {
-    const int order = p.t.compare(q.t);
-    return order != 0 ? order < 0 : p.s.compare(q.s) < 0;
-  });
   return pairs;
 }
 
@@ -298,29 +270,27 @@ std::vector<Exact_parameter> Meeting_places::candidates(Place_number p, const st
 
 // An end of the overlap whose ends are in the brackets of both ends.
 Exact_parameter Meeting_places::overlap_end(Place_number p) {
-  const std::size_t first = 2 * first_overlap_ + (p - 2 * first_overlap_) / 4 * 4;
-  const bool is_from = p < first + 2;
-  const auto from = static_cast<Place_number>(first + p % 2), to = from + 2;
-  std::vector<Exact_parameter> found;
-  const bool may_fall = p % 2 == 1;  // the first curve's parameter rises from an end to the other one
+  const Place_number from = p - (p - overlap_place(0, 0)) / 2 % 2 * 2, to = from + 2;
   const auto is_inside = [](const Bracket& range, const Exact_parameter& t) {  // they are exact results, rounded
     return range.is_single() ? t.compare(Exact_rational(range.lower)) == 0
                              : t.compare(Exact_rational(range.lower)) > 0 && t.compare(Exact_rational(range.upper)) < 0;
   };
-  for (const Exact_overlap& o : exact_meetings_of(p).overlaps) {
-    Exact_parameter t_from(o.t_from), t_to(o.t_to);
-    const Bracket s_from = Real_root(o.s_from).range(), s_to = Real_root(o.s_to).range();
-    const auto is_it = [&](Place_number a, Place_number b) {
-      return is_inside(bracket(a), t_from) && is_inside(bracket(b), t_to) && bracket(a ^ 1U).touches(s_from) &&
-             bracket(b ^ 1U).touches(s_to);
-    };
-    if (is_it(from, to)) found.push_back(is_from ? t_from : t_to);
-    else if (may_fall && is_it(to, from)) found.push_back(is_from ? t_to : t_from);
-  }
-  for (const Exact_parameter& t : found)
-    if (t.compare(found.front()) != 0) fail(found.size());
-  if (found.empty()) fail(0);
-  return found.front();
+  std::optional<Exact_parameter> found;
+  for (const Exact_overlap& o : exact_meetings_of(p).overlaps)
+    for (const bool falls : {false, true}) {  // the first curve's parameter rises from an end to the other one
+      if (falls && p % 2 == 0) continue;
+      const Exact_parameter t_from(falls ? o.t_to : o.t_from), t_to(falls ? o.t_from : o.t_to);
+      if (!is_inside(bracket(from), t_from) || !is_inside(bracket(to), t_to) ||
+          !bracket(from ^ 1U).touches(Real_root(falls ? o.s_to : o.s_from).range()) ||
+          !bracket(to ^ 1U).touches(Real_root(falls ? o.s_from : o.s_to).range()))
+        continue;
+      const Exact_parameter& t = p == from ? t_from : t_to;
+      if (found && t.compare(*found) != 0) fail(2);
+      found = t;
+      break;
+    }
+  if (!found) fail(0);
+  return *found;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -93,6 +93,10 @@ class Meeting_places {
   [[nodiscard]] Place_number overlap_place(std::size_t overlap, std::size_t end) const {
     return static_cast<Place_number>(2 * first_overlap_ + 4 * overlap + end);
   }
+  /// How many more overlaps a first curve is on behind a place than before it.
+  [[nodiscard]] int overlaps_begun(Place_number p) const {
+    return is_overlap_end(p) ? ((p - overlap_place(0, 0)) % 4 < 2 ? 1 : -1) : 0;
+  }
   [[nodiscard]] const Segment_hierarchy& curves_of(Place_number p) const { return *curves_[p % 2]; }
   [[nodiscard]] std::uint32_t bezier_of(Place_number p) const { return meetings_[p / 2].bezier[p % 2]; }
   [[nodiscard]] const Bracket& bracket(Place_number p) const { return meetings_[p / 2].t[p % 2]; }

@@ -124,15 +124,11 @@ void sort_exactly(const Cut_curves& cut, Directions::iterator first, Directions:
     const int sector = way.sector();
     exact.push_back({w->end, std::move(way), sector});
   }
-  constexpr int SECTORS = 8, HALF = 4;
-  int start = 0;  // all sectors are less than half a turn from it on
-  if (!is_whole_turn)
-    for (const Exact& e : exact) {
-      const auto is_behind = [&](const Exact& o) { return (o.sector - e.sector + SECTORS) % SECTORS < HALF; };
-      if (std::all_of(exact.begin(), exact.end(), is_behind)) start = e.sector;
-    }
+  constexpr int SECTORS = 8;
+  // from well before the first one, which directions tell about; or from anywhere
+  const int start = is_whole_turn ? 0 : exact.front().sector + SECTORS - 2;
   const auto is_before = [&](const Exact& p, const Exact& q) {
-    const int a = (p.sector - start + SECTORS) % SECTORS, b = (q.sector - start + SECTORS) % SECTORS;
+    const int a = (p.sector - start + 2 * SECTORS) % SECTORS, b = (q.sector - start + 2 * SECTORS) % SECTORS;
     return a != b ? a < b : is_counterclockwise_of(q.way, p.way);
   };
   for (std::size_t i = 1; i < exact.size(); ++i)  // few of them: by insertion

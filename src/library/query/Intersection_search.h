@@ -11,6 +11,7 @@
 #include "../curve/exact_bezier.h"
 #include "../tree/Segment_hierarchy.h"
 #include "Newton_box.h"
+#include "Segment_pair_search.h"
 #include "exact_intersections.h"
 #include "join_intersections.h"
 #include "nearer_look.h"
@@ -26,30 +27,20 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
-/// counted once.
-///
-/// Doubles prove each common point of two spiral segments, or tell the parameters between which they leave it open.
-///
-/// Pieces A and B are apart, or their tangents are nowhere parallel, or one is halved.
-///
-///  * Tangents nowhere parallel: they meet at most once, as a chord between two common points would have a direction of
-///    both.  Newton's steps lead to a point, where a root is proven to be (Newton_box.h), or none on the pieces.
-///  * A common end P is a common point.  With tangents nowhere parallel it is the only one.  It is, too, where A
-///    backwards and then B run ahead in one direction u all the way, T.u > 0: such a path does not meet itself.
+/// The search for common points of drawings: pairs of segments in doubles (Segment_pair_search.h), pairs of Bezier
+/// pieces exactly, and joints counted once.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Intersection_search {
   template <class> friend class Intersection_search;
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
-  using Piece = Piece_in_hand<typename Curves::Region>;
 
  public:
-  Intersection_search(const Curves& a, const Curves& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
-  explicit Intersection_search(const Curves& a) : Intersection_search(a, a) { is_self_ = true; }
+  Intersection_search(const Curves& a, const Curves& b) : Intersection_search(a, b, false) {}
+  explicit Intersection_search(const Curves& a) : Intersection_search(a, a, true) {}
 
   [[nodiscard]] Intersections_2<> all() {
     find_all();
-    return internal::joined(found_, joints_a_, joints_b_, is_self_);
+    return internal::joined(found_, pairs_.joints_a(), pairs_.joints_b(), is_self_);
   }
   /// Returns them by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts
   /// there.
@@ -60,15 +51,15 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   [[nodiscard]] std::optional<bool> any() {
     const auto is_certain = [this] {
-      if (!ends_.empty() || !found_.points.empty() || !found_.overlaps.empty()) return true;
-      for (const internal::Newton_box& root : roots_)
+      if (!pairs_.ends().empty() || !found_.points.empty() || !found_.overlaps.empty()) return true;
+      for (const internal::Newton_box& root : pairs_.roots())
         if (root.is_inside()) return true;
       return false;
     };
     search([&] { return !is_certain(); });
     if (is_certain()) return true;
     Intersection_search whole(a_, b_);
-    const Intersections_2<> rest = undecided_.empty() && roots_.empty() ? Intersections_2<>{} : whole.all();
+    const Intersections_2<> rest = pairs_.open().empty() && pairs_.roots().empty() ? Intersections_2<>{} : whole.all();
     for (const Intersections_2<>::Intersection& p : rest.points)
       if (p.kind != Intersection_kind::UNDECIDED) return true;
     if (!rest.overlaps.empty()) return true;
@@ -76,6 +67,9 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   }
 
  private:
+  Intersection_search(const Curves& a, const Curves& b, bool is_self)
+      : a_(a), b_(b), is_self_(is_self), pairs_(a, b, is_self) {}
+
   void find_all() {
     search([] { return true; });
     leave_open_what_is_at_ends();
@@ -104,8 +98,9 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (looks_ == MOST_LOOKS || a_.bezier(a).degree() * b_.bezier(b).degree() < LEAST) return false;
     if (is_own && std::binary_search(a_.hidden_tips().begin(), a_.hidden_tips().end(), a)) return false;
     const auto is_of_pair = [&](const internal::Newton_box& r) { return r.bezier_a == a && r.bezier_b == b; };
+    std::vector<internal::Newton_box>& known = pairs_.roots();
     std::vector<internal::Newton_box> roots, found;
-    std::copy_if(roots_.begin(), roots_.end(), std::back_inserter(roots), is_of_pair);
+    std::copy_if(known.begin(), known.end(), std::back_inserter(roots), is_of_pair);
     const auto is_inside = [](const internal::Newton_box& r) { return r.is_inside(); };
     if (!std::all_of(roots.begin(), roots.end(), is_inside)) return false;
     for (const Numbered_point& place : places_of(beziers)) {
@@ -119,16 +114,16 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
       roots.erase(std::remove_if(roots.begin(), roots.end(), is_there), roots.end());  // they are found once more
       if (!add_nearer(place, found)) return false;
     }
-    roots_.erase(std::remove_if(roots_.begin(), roots_.end(), is_of_pair), roots_.end());
-    roots_.insert(roots_.end(), roots.begin(), roots.end());
-    roots_.insert(roots_.end(), found.begin(), found.end());
+    known.erase(std::remove_if(known.begin(), known.end(), is_of_pair), known.end());
+    known.insert(known.end(), roots.begin(), roots.end());
+    known.insert(known.end(), found.begin(), found.end());
     return true;
   }
   // Boxes with all that doubles leave open of two pieces, apart from each other. Where both are one, a box with equal
   // parameters is a square about these.
   [[nodiscard]] std::vector<Numbered_point> places_of(const Pair& beziers) const {
     std::vector<Numbered_point> places;
-    for (const Numbered_point& o : undecided_)
+    for (const Numbered_point& o : pairs_.open())
       if (o.beziers == beziers)
         places.push_back({beziers, {internal::with_room(o.common.a), internal::with_room(o.common.b), o.common.kind}});
     for (std::size_t count = 0; count != places.size();) {
@@ -176,7 +171,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   template <class GoOn> void search(const GoOn& go_on) {
     const auto visit = [&](std::uint32_t i, std::uint32_t j) {
       if (is_self_ && j < i) std::swap(i, j);
-      if (is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
+      if (pairs_.is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
         if (a_.piece(i).first.t == 0)
           found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
         return go_on();
@@ -186,155 +181,14 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
         const Spiral_piece_2 of_a = a_.piece(i), of_b = b_.piece(j);
         const Spiral_sample &p = end->first == 0 ? of_a.first : of_a.last,
                             &q = end->second == 0 ? of_b.first : of_b.last;
-        if (p.t == end->first && q.t == end->second) add_common_end(i, p.t, j, q.t);
+        if (p.t == end->first && q.t == end->second) pairs_.add_common_end(i, p.t, j, q.t);
         return go_on();
       }
-      look_at(i, j);
+      pairs_.look_at(i, j);
       return go_on();
     };
     if (is_self_) for_each_overlap(a_.boxes(), visit);
     else for_each_overlap(a_.boxes(), b_.boxes(), visit);
-  }
-
-  // Common points of two segments, each proven, or the parameters where doubles leave it open.
-  void look_at(std::uint32_t segment_a, std::uint32_t segment_b) {
-    error_ = a_.error(segment_a) + b_.error(segment_b);
-    budget_ = MOST_PAIRS;
-    const auto of_a = a_.region(segment_a), of_b = b_.region(segment_b);  // most are apart, and need no pieces
-    if (!are_apart(of_a, of_b)) refine({directed(a_, segment_a), of_a}, {directed(b_, segment_b), of_b});
-  }
-  // Takes a common end of pieces.
-  void add_common_end(std::uint32_t i, double t, std::uint32_t j, double s) {
-    if (!is_end(t) || !is_end(s)) return;  // a cut of one piece, or of two with the same numbers
-    const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
-    if (is_self_ && is_joint_of_neighbours(beziers, {t, t}, {s, s})) return;
-    ends_.push_back({beziers, {{t, t}, {s, s}}});
-  }
-
-  static constexpr int MOST_PAIRS = 400;  // halvings that a tangency within 2^-40 takes, twice
-
-  // A segment as long as a cut is wide does not tell its directions at its ends. All of them are near the one in its
-  // middle, as C'' has a bound.
-  [[nodiscard]] static Spiral_piece_2 directed(const Curves& curves, std::uint32_t segment) {
-    Spiral_piece_2 piece = curves.piece(segment);
-    if (std::isfinite(tangent_error(piece.first, piece.last))) return piece;
-    const std::uint32_t bezier = curves.bezier_of(segment);
-    const Bezier_evaluator& curve = curves.evaluator(bezier);
-    const double rounding = curves.rounding(bezier), span = piece.last.t - piece.first.t, t = piece.first.t + span / 2;
-    const internal::Curve_jet jet = curve(t);
-    const double speed = euclidean_norm(jet.first), error = curve.errors_at(t, jet).first,
-                 change = span * (curve.second_bound() + curve.second_change(rounding));
-    constexpr double MOST = 0.25;  // a cone that is told apart from others
-    const double share = (error + curve.first_change(rounding, error) + change) / speed;
-    if (!(share <= MOST)) return piece;
-    // vectors that differ by that share of one of them differ by less than (1 + share^2) times as much as directions
-    const double room = share * (1 + share * share) * (1 + 0x1p-40) + 4 * HALF_ULP;
-    for (Spiral_sample* end : {&piece.first, &piece.last}) {
-      end->tangent = (1 / speed) * jet.first;
-      end->tangent_error = room;
-    }
-    return piece;
-  }
-
-  void leave_open(const Piece& a, const Piece& b) {
-    undecided_.push_back(
-        {{a_.bezier_of(a.piece.segment), b_.bezier_of(b.piece.segment)},
-         {{a.piece.first.t, a.piece.last.t}, {b.piece.first.t, b.piece.last.t}, Intersection_kind::UNDECIDED}});
-  }
-
-  // \pre they are not apart
-  void refine(const Piece& a, const Piece& b) {
-    const Cones cones(a.piece, b.piece);
-    if (is_settled_at_end(a.piece, b.piece, cones)) return;
-    if (cones.are_transversal && is_settled_by_newton(a, b)) return;
-    const Xy<double> chord_a = a.piece.last.point - a.piece.first.point,
-                     chord_b = b.piece.last.point - b.piece.first.point;
-    const double size_a = dot(chord_a, chord_a), size_b = dot(chord_b, chord_b);
-    constexpr double LEAST = 64;  // times the errors: pieces that are no longer are points as far as doubles tell
-    const double least = LEAST * error_;
-    if (--budget_ < 0 || (std::max)(size_a, size_b) < least * least) return leave_open(a, b);
-    const bool of_a = size_a >= size_b;
-    const Piece& longer = of_a ? a : b;
-    const Curves& curves = of_a ? a_ : b_;
-    const auto middle = halves(curves, longer.piece);
-    if (!middle) return leave_open(a, b);
-    for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
-      const Piece part{*half, curves.region(*half)};
-      const Piece &first = of_a ? part : a, &second = of_a ? b : part;
-      if (!are_apart(first.region, second.region)) refine(first, second);
-    }
-  }
-
-  // How the tangents of two pieces, each in the cone between its ends', which is less than half a turn wide, lie.
-  struct Cones {
-    const Spiral_piece_2 &a, &b;
-    double room;
-    bool are_transversal;
-
-    Cones(const Spiral_piece_2& first, const Spiral_piece_2& second) : a(first), b(second) {
-      room = tangent_error(a.first, a.last) + tangent_error(b.first, b.last) + TANGENT_ROUNDING;
-      const double c00 = cross(a.first.tangent, b.first.tangent), c01 = cross(a.first.tangent, b.last.tangent),
-                   c10 = cross(a.last.tangent, b.first.tangent), c11 = cross(a.last.tangent, b.last.tangent);
-      are_transversal = (std::min)((std::min)(c00, c01), (std::min)(c10, c11)) > room ||
-                        (std::max)((std::max)(c00, c01), (std::max)(c10, c11)) < -room;
-    }
-    // Whether A away from its end and B away from its one run ahead in opposite directions.
-    [[nodiscard]] bool run_apart(double sign_a, double sign_b) const {
-      const Xy<double> a0 = -sign_a * a.first.tangent, a1 = -sign_a * a.last.tangent, b0 = sign_b * b.first.tangent,
-                       b1 = sign_b * b.last.tangent;
-      const Xy<double> ahead = (a0 + a1) + (b0 + b1);
-      return (std::min)((std::min)(dot(ahead, a0), dot(ahead, a1)), (std::min)(dot(ahead, b0), dot(ahead, b1))) >
-             4 * room;
-    }
-  };
-
-  [[nodiscard]] bool is_settled_at_end(const Spiral_piece_2& a, const Spiral_piece_2& b, const Cones& cones) {
-    for (const bool at_a : {false, true})
-      for (const bool at_b : {false, true}) {
-        const Spiral_sample &p = at_a ? a.last : a.first, &q = at_b ? b.last : b.first;
-        if (!(p.point == q.point) || !is_same_end(a.segment, p.t, b.segment, q.t)) continue;
-        if (!cones.are_transversal && !cones.run_apart(at_a ? -1 : 1, at_b ? -1 : 1)) return false;
-        add_common_end(a.segment, p.t, b.segment, q.t);
-        return true;
-      }
-    return false;
-  }
-
-  // \pre tangents are nowhere parallel
-  [[nodiscard]] bool is_settled_by_newton(const Piece& a, const Piece& b) {
-    const auto of = [](const Segment_hierarchy& curves, const Spiral_piece_2& p) {
-      const std::uint32_t bezier = curves.bezier_of(p.segment);
-      return internal::Newton_piece{
-          curves.evaluator(bezier), curves.rounding(bezier), bezier, p.first.t, p.last.t, p.first.point, p.last.point};
-    };
-    const double t0 = a.piece.first.t, t1 = a.piece.last.t, s0 = b.piece.first.t, s1 = b.piece.last.t;
-    const std::optional<internal::Newton_box> root = internal::newton_box(of(a_, a.piece), of(b_, b.piece));
-    if (!root) return false;
-    if (has_common_end(*root, a.piece.segment, b.piece.segment)) return root->is_unique_on(t0, t1, s0, s1);
-    if (root->is_on(t0, t1, s0, s1)) {
-      roots_.push_back(*root);
-      return true;
-    }
-    return root->is_unique_on(t0, t1, s0, s1);
-  }
-
-  // Whether the only root in a box is a common end, which the pieces at that end tell.
-  [[nodiscard]] bool has_common_end(const internal::Newton_box& root, std::uint32_t segment_a,
-                                    std::uint32_t segment_b) const {
-    if (root.is_inside()) return false;
-    const auto end_of = [](const Curves& curves, std::uint32_t segment, double t) {
-      const auto& p = curves.bezier(curves.bezier_of(segment)).control_points();
-      Spiral_sample end;
-      end.t = t;
-      end.point = t == 0 ? p.front() : p.back();
-      return end;
-    };
-    for (const double t : {0.0, 1.0})
-      for (const double s : {0.0, 1.0}) {
-        const Spiral_sample p = end_of(a_, segment_a, t), q = end_of(b_, segment_b, s);
-        if (root.is_on(t, t, s, s) && p.point == q.point && is_same_end(segment_a, t, segment_b, s)) return true;
-      }
-    return false;
   }
 
   [[nodiscard]] bool are_lines(const Pair& beziers) const {
@@ -348,16 +202,10 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     const std::optional<Piece_intersections> common = line_intersections(a_.bezier(a), b_.bezier(b));
     if (!common) return false;
     for (const Piece_intersections::Intersection& p : common->points)
-      if (!is_self_ || !is_joint_of_neighbours({a, b}, p.a, p.b)) found_.points.push_back({{a, b}, p});
+      if (!is_self_ || !pairs_.is_joint_of_neighbours({a, b}, p.a, p.b)) found_.points.push_back({{a, b}, p});
     for (const Piece_intersections::Overlap& o : common->overlaps) found_.overlaps.push_back({{a, b}, o});
     return true;
   }
-  [[nodiscard]] bool is_joint_of_neighbours(const Pair& beziers, const Bracket& t, const Bracket& s) const {
-    if (!t.is_single() || !is_end(t.lower) || !s.is_single() || !is_end(s.lower)) return false;
-    const Joint_place at_a = joints_a_.place(beziers.first, t), at_b = joints_b_.place(beziers.second, s);
-    return at_a.bezier == at_b.bezier && at_a.t.lower == at_b.t.lower;
-  }
-
   // Filter: a level or upright line through a common end has the other control points of both pieces on different
   // sides, and none on it, so the curves, too.  Comparisons of doubles: exact.
   // \return the parameters of the only common point, if it is such a one
@@ -382,36 +230,13 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     return std::nullopt;
   }
 
-  [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
-  // Whether C_i(t) and C_j(s) are one point: both at ends of Bezier pieces, or the same cut of the same piece.
-  [[nodiscard]] bool is_same_end(std::uint32_t i, double t, std::uint32_t j, double s) const {
-    const bool is_one = is_self_ && a_.bezier_of(i) == b_.bezier_of(j);
-    if (t == s && (is_one || is_same_piece(i, j))) return true;
-    if (!is_end(t) || !is_end(s)) return false;
-    const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
-    if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;  // as their doubles are
-    const auto p = a_.exact_bezier(bezier_a).control_points(), q = b_.exact_bezier(bezier_b).control_points();
-    return (t == 0 ? p.front() : p.back()) == (s == 0 ? q.front() : q.back());
-  }
-  // Whether segments are of Bezier pieces with the same numbers, of different drawings or at different places of one.
-  [[nodiscard]] bool is_same_piece(std::uint32_t i, std::uint32_t j) const {
-    const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
-    if (is_self_ && bezier_a == bezier_b) return false;
-    const auto& p = a_.bezier(bezier_a);
-    const auto& q = b_.bezier(bezier_b);
-    if (!(p.control_points() == q.control_points()) || p.weights() != q.weights()) return false;
-    if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;
-    const auto exact_p = a_.exact_bezier(bezier_a), exact_q = b_.exact_bezier(bezier_b);
-    return exact_p.control_points() == exact_q.control_points() && exact_p.weights() == exact_q.weights();
-  }
-
   // A root whose range reaches over an end of its piece may be on the next one, or none.
   void leave_open_what_is_at_ends() {
-    for (const Numbered_point& o : undecided_) {
+    for (const Numbered_point& o : pairs_.open()) {
       if (!open_.empty() && open_.back() == o.beziers) continue;
       if (!does_run_ahead(o)) open_.push_back(o.beziers);
     }
-    for (const internal::Newton_box& root : roots_)
+    for (const internal::Newton_box& root : pairs_.roots())
       if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
   }
   // Filter: of one piece, from the one part to the other one.
@@ -426,7 +251,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Roots of pairs that are not open, each once, and common ends.
   void keep_proven() {
-    std::vector<internal::Newton_box>& roots = roots_;
+    std::vector<internal::Newton_box>& roots = pairs_.roots();
     const auto before = [](const internal::Newton_box& x, const internal::Newton_box& y) {
       if (x.bezier_a != y.bezier_a) return x.bezier_a < y.bezier_a;
       return x.bezier_b != y.bezier_b ? x.bezier_b < y.bezier_b : x.a.lower < y.a.lower;
@@ -442,7 +267,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
       found_.points.push_back({beziers, {root.a, root.b, Intersection_kind::TRANSVERSAL}});
       kept.push_back(&root);
     }
-    for (const Numbered_point& end : ends_) {
+    for (const Numbered_point& end : pairs_.ends()) {
       if (is_open(end.beziers) && exact()) continue;
       found_.points.push_back({end.beziers, {end.common.a, end.common.b, kind_at(end)}});
     }
@@ -478,8 +303,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Ranges that touch are one.
   void add_undecided() {
-    std::vector<Numbered_point> open = undecided_;
-    for (const internal::Newton_box& root : roots_)
+    std::vector<Numbered_point> open = pairs_.open();
+    for (const internal::Newton_box& root : pairs_.roots())
       if (!root.is_inside())
         open.push_back(
             {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
@@ -490,15 +315,10 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   }
 
   const Curves &a_, &b_;
-  Curve_joints joints_a_, joints_b_;
-  bool is_self_ = false;
-  int looks_ = 0;  // how often parts were enlarged
-  std::vector<internal::Newton_box> roots_;
-  std::vector<Numbered_point> undecided_;  // between these parameters may be common points that doubles do not tell
-  double error_ = 0;                       // of the two segments that are looked at
-  int budget_ = 0;
-  std::vector<Numbered_point> ends_;  // that are common
-  std::vector<Pair> open_;            // sorted, once it is complete
+  bool is_self_;
+  Segment_pair_search<Curves> pairs_;
+  int looks_ = 0;           // how often parts were enlarged
+  std::vector<Pair> open_;  // sorted, once it is complete
   Numbered_intersections found_;
 };
 

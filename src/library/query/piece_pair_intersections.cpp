@@ -30,7 +30,7 @@
 // not negative of the differences a_i and b_j of control points: of neighbours, of any two where there are weights.  If
 // all cross(a_i, b_j) have one sign, tangents are nowhere parallel, and there is one common point at most: a chord
 // between two would be such a combination of the a_i and, up to its sign, of the b_j, and cross(v, v) is 0.
-// What is done with that is as in Intersection_search.h.
+// What is done with that is as in Segment_pair_search.h.
 
 namespace CGAL::Bounding_arcs::internal {
 

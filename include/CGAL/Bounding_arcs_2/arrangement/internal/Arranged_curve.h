@@ -30,7 +30,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 class Arranged_curve;
-// In exact numbers, made when they are asked for: src/library/arrangement/Exact_place.h.
+// In exact numbers, made when they are asked for: src/library/arrangement/exact_places.h.
 class Exact_curve;
 class Exact_parameter;
 class Exact_place;
