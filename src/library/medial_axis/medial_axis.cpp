@@ -314,9 +314,9 @@ Medial_axis_2 internal::medial_axis(const Bounding_arc_tree_2& curves, double ep
   const Asked_axis asked{options, curves.unit().tolerance_in(eps), size, loop};
   const Xy<double> origin = segments.is_rounded() ? Xy<double>{0, 0} : near_origin(segments.drawing());
   if (origin == Xy<double>{0, 0}) return out(curves.unit(), resolved_axis(segments, asked));
-  const Segment_hierarchy near(std::make_shared<const Drawing_2<double>>(moved_by(segments.drawing(), -origin)),
+  const Segment_hierarchy near(std::make_shared<const Drawing_2<double>>(moved_along(segments.drawing(), -origin)),
                                segments.decisions());
-  return out(curves.unit(), moved_by(resolved_axis(near, asked), origin, size));
+  return out(curves.unit(), moved_along(resolved_axis(near, asked), origin, size));
 }
 
 // Whether an axis is in order.

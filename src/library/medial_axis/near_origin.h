@@ -40,7 +40,7 @@ namespace CGAL::Bounding_arcs::internal {
   return FAR * size(origin) <= size({0, 0}) ? origin : Xy<double>{0, 0};
 }
 
-[[nodiscard]] inline Drawing_2<double> moved_by(const Drawing_2<double>& drawing, const Xy<double>& way) {
+[[nodiscard]] inline Drawing_2<double> moved_along(const Drawing_2<double>& drawing, const Xy<double>& way) {
   Drawing_2<double> moved;
   for (const auto& curve : drawing.curves()) {
     std::vector<Bezier_curve_2<double>> beziers;
@@ -54,7 +54,7 @@ namespace CGAL::Bounding_arcs::internal {
   return moved;
 }
 /// \param size of coordinates in the end, whose rounding counts
-[[nodiscard]] inline Medial_axis_2 moved_by(Medial_axis_2 axis, const Xy<double>& way, double size) {
+[[nodiscard]] inline Medial_axis_2 moved_along(Medial_axis_2 axis, const Xy<double>& way, double size) {
   const double rounding = 2 * HALF_ULP * size;
   for (Medial_axis_2::Vertex& v : axis.vertices)
     v.center = v.center + way, v.clearance = {v.clearance.lower - rounding, v.clearance.upper + rounding};
