@@ -233,7 +233,7 @@ struct Move {
   constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), MANY = 64, SEGMENTS = 1 << 14;  // of all tries
   const std::size_t tries =
       std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), KINDS, MANY);
-  const double size = coordinate_size(curves.drawing());
+  const double size = curves.drawing().coordinate_size();
   Medial_axis_2 axis = bounded_axis(curves, asked, CLOSE_WALLS * size, Axis_boundary::HIDDEN_HEIGHT);
   for (std::uint32_t seed = 0; seed < tries && !is_whole(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
@@ -262,16 +262,8 @@ Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box) {
   return drawing;
 }
 
-CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing) {
-  CGAL::Bbox_2 box;
-  for (const auto& curve : drawing.curves())
-    for (const auto& piece : curve.beziers)
-      for (const Xy<double>& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
-  return box;
-}
-
 Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
-  const CGAL::Bbox_2 box = control_box(drawing);
+  const CGAL::Bbox_2 box = drawing.control_box();
   if (drawing.curves().empty())
     throw std::invalid_argument(expected("drawing", "at least one curve to be framed", "none"));
   const CGAL::Bbox_2 wide(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
@@ -300,7 +292,7 @@ Medial_axis_2 internal::medial_axis(const Bounding_arc_tree_2& curves, double ep
                                     const Medial_axis_2::Options& options, Index_loop loop) {
   check_above_zero("eps", eps);
   if (options.is_framed) check_frame(curves.drawing());
-  else check_closed(curves.drawing());
+  else internal::check_closed(curves.drawing());
   return out(curves.unit(), resolved_axis(curves.in_unit(), {options, curves.unit().tolerance_in(eps), loop}));
 }
 
