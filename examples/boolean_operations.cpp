@@ -24,6 +24,6 @@ int main() {
       std::cout << "from (" << part.start.x << ", " << part.start.y << ") along "
                 << (part.operand == 0 ? "plate" : "hole") << " piece " << part.bezier
                 << (part.is_reversed ? " backwards" : "") << " to (" << part.end.x << ", " << part.end.y << ")\n";
-  const Bounding_arc_tree_2 region(outline_drawing({&a, &b}, rest));  // for queries, offsets, another operation
+  const Bounding_arc_tree_2 region(drawn_outline({&a, &b}, rest).drawing);  // for queries, offsets, another operation
   std::cout << "area " << area(region, 1e-9).upper << '\n';
 }

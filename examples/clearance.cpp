@@ -21,7 +21,7 @@ int main() {
   options.is_framed = true;
   const Medial_axis_2 voronoi = medial_axis(tree, 1e-5, options);
   std::size_t between = 0;
-  for (const Medial_axis_2::Edge& e : voronoi.edges) between += !touches(e, obstacles.curves().size());
+  for (const Medial_axis_2::Edge& e : voronoi.edges) between += !e.touches(obstacles.curves().size());
   std::printf("%zu edges, %zu of them between obstacles\n", voronoi.edges.size(), between);
 
   const auto path = clearance_path(tree, voronoi, {1.0, 3.5}, {8.0, 3.0});

@@ -16,8 +16,8 @@ int main() {
   drawing.add(Bezier_curve_2<double>({{2, -1}, {3, 1}, {4, -1}}), "an arch");
   const Bounding_arc_tree_2 tree(drawing);
   for (const auto& p : convex_hull(tree, 1e-9).pieces)
-    std::printf("%s from (%.6f, %.6f) to (%.6f, %.6f)\n", p.kind == Hull_piece_kind::CURVE ? "curve" : "segment",
-                p.from_point.x(), p.from_point.y(), p.to_point.x(), p.to_point.y());
+    std::printf("%s from (%.6f, %.6f) to (%.6f, %.6f)\n", p.is_bitangent ? "segment" : "curve", p.from_point.x(),
+                p.from_point.y(), p.to_point.x(), p.to_point.y());
   const auto circle = smallest_enclosing_circle(tree, 1e-9).value();
   std::printf("circle about (%.6f, %.6f) with radius %.6f\n", circle.center.x(), circle.center.y(),
               circle.radius.upper);

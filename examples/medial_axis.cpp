@@ -21,7 +21,7 @@ int main() {
   options.rule = Fill_rule::EVEN_ODD;
   const Medial_axis_2 axis = medial_axis(tree, 1e-5, options);
   std::printf("%zu vertices, %zu edges, %zu hole\n", axis.vertices.size(), axis.edges.size(), axis.holes);
-  const auto degree = degrees(axis);
+  const auto degree = axis.degrees();
   for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
     const Medial_axis_2::Vertex& v = axis.vertices[i];
     std::printf("%s about (%.4f, %.4f), radius %.4f, touches", degree[i] == 1 ? "end" : "branch", v.center.x,

@@ -27,7 +27,7 @@ int main(int argc, char** argv) try {
   regions.for_each_leaf([&](const Node_handle& leaf) {
     if (count++ % 25 != 0) return;
     const Region_node node = regions.node(leaf);
-    const Curve_place from = place_of(regions, node, node.t0);
+    const Curve_place from = regions.place_of(node, node.t0);
     std::printf("%s from Bezier piece %u, t = %.3f: parameter %.3f\n", drawing.curves()[from.curve].name.c_str(),
                 from.bezier, from.t, drawing.parameter(from.curve, from.bezier, from.t));
   });

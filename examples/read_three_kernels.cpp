@@ -42,7 +42,7 @@ template <class Linear_kernel> std::vector<Arc_of_region> arcs_of_regions(const 
 }
 
 int main() {
-  const auto records = read_curves(BOUNDING_ARCS_EXAMPLE_DATA "/d_rabbit.json");
+  const auto records = read_curve_file(BOUNDING_ARCS_EXAMPLE_DATA "/d_rabbit.json").curves;
   const auto right = arcs_of_regions<CGAL::Simple_cartesian<Exact>>(records);
   std::printf("exact: %zu arcs\n", right.size());
   const auto compare = [&](const char* kernel, const std::vector<Arc_of_region>& arcs) {

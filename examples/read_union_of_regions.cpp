@@ -31,7 +31,7 @@ double area_of(const Polygon_set& set, bool upper) {
 
 int main() {
   const char* const file = BOUNDING_ARCS_EXAMPLE_DATA "/a_wrench.json";
-  const Drawing_2<FT> curves = drawing<FT>(read_curves(file));
+  const Drawing_2<FT> curves = drawing<FT>(read_curve_file(file).curves);
   for (const double eps : {1e-1, 1e-2, 1e-3}) {
     const Bounding_arc_tree_2 tree(curves);
     const Region_hierarchy_2<Bca_traits_2<Kernel>> hierarchy(tree, eps);
@@ -40,8 +40,8 @@ int main() {
     std::vector<Boundary_piece_2<CGAL::Epeck::FT>> outer;
     hierarchy.for_each_leaf([&](const Node_handle& leaf) {
       const auto boundary = hierarchy.traits().construct_region_boundary_2_object()(hierarchy.region(leaf));
-      outer.push_back(piece_over<CGAL::Epeck::FT>(boundary.outer[0]));
-      if (auto polygon = region_polygon(boundary)) regions.push_back(std::move(*polygon));
+      outer.push_back(boundary.outer[0].over<CGAL::Epeck::FT>());
+      if (auto polygon = general_polygon(boundary)) regions.push_back(std::move(*polygon));
     });
     Polygon_set all, inside(general_polygon(outer));
     all.join(regions.begin(), regions.end());

@@ -52,7 +52,6 @@
 #include <CGAL/Bounding_arcs_2/spiral/Jet_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
-#include <CGAL/Bounding_arcs_2/tree/neighbours.h>
 
 #endif
 

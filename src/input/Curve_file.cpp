@@ -45,7 +45,7 @@ Curve_file with_rounding_of_doubles(Curve_file&& read) {
     if (2 * record.end_error > detail) record.end_error = 0;  // two ends have one each
   const double size =
       (std::max)({std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()), std::fabs(box.ymax())});
-  read.rounding = (std::max)(read.rounding, rounding_of_ends(size));
+  read.rounding = (std::max)(read.rounding, Joined_curves::rounding_of_ends(size));
   return std::move(read);
 }
 
@@ -66,11 +66,11 @@ Input_error::Input_error(const std::string& file, const std::string& place, cons
     : std::runtime_error(tool::one_line(file, std::string::npos) + ": " + tool::one_line(place, LONGEST_PLACE) + ": " +
                          tool::one_line(reason, LONGEST_REASON)) {}
 
-std::string text_of(const Curve_file::Note& note) {
+std::string Curve_file::text_of(const Note& note) {
   return std::to_string(note.count) + ' ' + note.what + (note.reason.empty() ? "" : ": " + note.reason);
 }
 
-std::string text_of(const std::vector<Curve_file::Note>& notes) {
+std::string Curve_file::text_of(const std::vector<Note>& notes) {
   std::string text;
   for (const bool is_read : {false, true}) {
     const char* between = is_read ? "read all the same: " : "left out: ";
@@ -83,8 +83,8 @@ std::string text_of(const std::vector<Curve_file::Note>& notes) {
   return text;
 }
 
-Curve_file read_curve_file_from_text(const std::string& text, const std::string& file, const std::string& stem,
-                                     const Curve_file::Options& options) {
+Curve_file Curve_file::from_text(const std::string& text, const std::string& file, const std::string& stem,
+                                 const Options& options) {
   if (starts_with(text, UTF16_MARK) || starts_with(text, UTF16_SWAPPED_MARK))
     throw Input_error(file, "line 1, column 1", "expected UTF-8, found a UTF-16 byte order mark");
   const std::size_t start = starts_with(text, UTF8_MARK) ? UTF8_MARK.size() : 0;
@@ -102,9 +102,9 @@ Curve_file read_curve_file_from_text(const std::string& text, const std::string&
 Curve_file read_curve_file(const std::string& path, const Curve_file::Options& options) {
   const std::string text = tool::file_contents(path);
   const bool is_stdin = path == "-";
-  return read_curve_file_from_text(text, is_stdin ? "stdin" : path,
-                                   is_stdin ? "stdin" : tool::valid_utf8(std::filesystem::path(path).stem().string()),
-                                   options);
+  return Curve_file::from_text(text, is_stdin ? "stdin" : path,
+                               is_stdin ? "stdin" : tool::valid_utf8(std::filesystem::path(path).stem().string()),
+                               options);
 }
 
 std::size_t close_filled(std::vector<Curve_record>& records) {
@@ -121,6 +121,6 @@ std::size_t close_filled(std::vector<Curve_record>& records) {
   return count;
 }
 
-Drawing_2<double> read_drawing(const std::string& path) { return drawing<double>(read_curves(path)); }
+Drawing_2<double> read_drawing(const std::string& path) { return drawing<double>(read_curve_file(path).curves); }
 
 }  // namespace CGAL::Bounding_arcs

@@ -16,8 +16,6 @@
 
 namespace bounding_arcs_tool {
 
-using CGAL::Bounding_arcs::b_spline;
-using CGAL::Bounding_arcs::bezier_pieces;
 using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::text_of;
 using CGAL::Bounding_arcs::Xy;
@@ -94,10 +92,10 @@ const char* read_into(std::vector<double>& list, double x, const char* wrong) {
 // Builds the curve once, so that what only the whole of it can tell is found here.
 void check(Curve_record& record) {
   if (record.type == Curve_record::BEZIER || record.type == Curve_record::PATH) {
-    (void)bezier_pieces<double>(record);
+    (void)record.bezier_pieces<double>();
     return;
   }
-  const auto spline = b_spline<double>(record);
+  const auto spline = record.b_spline<double>();
   const auto first = spline.knots().begin() + record.degree;
   if (record.periodic && !record.uniform_knots)
     record.knots.assign(first, first + static_cast<std::ptrdiff_t>(record.control_points.size()) + 1);

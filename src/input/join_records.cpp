@@ -50,7 +50,7 @@ Curve_record joined_record(Curve_record first, std::vector<Bezier_curve_2<double
 
 }  // namespace
 
-Joined_curves join_records(std::vector<Curve_record>& records, double eps, bool with_filled) {
+Joined_curves join_curves(std::vector<Curve_record>& records, double eps, bool with_filled) {
   const Drawing_2<double> all = drawing<double>(records);
   const Taking_part part = taking_part(records, all, with_filled);
   Joined_curves joined = join_curves(part.drawing, eps, part.layers, part.errors);

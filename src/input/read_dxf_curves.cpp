@@ -120,8 +120,9 @@ class Dxf_expansion {
         records_[i].name += "." + std::to_string(++named_[layers_[i]]);
     if (!contents_.has_end) notes_.notes.push_back({1, "file", "no EOF at its end", true});
     if (records_.empty())
-      throw Input_error(file_, "file",
-                        "no curve in the drawing" + (notes_.notes.empty() ? "" : "; " + text_of(notes_.notes)));
+      throw Input_error(
+          file_, "file",
+          "no curve in the drawing" + (notes_.notes.empty() ? "" : "; " + Curve_file::text_of(notes_.notes)));
     return {std::move(records_), options_.rule.value_or(CGAL::Bounding_arcs::Fill_rule::EVEN_ODD),
             std::move(notes_.notes), contents_.unit_in_mm, contents_.digits.rounding()};
   }

@@ -178,7 +178,7 @@ class Svg_reader {
   [[noreturn]] void fail_without_curve(const Svg_element& root) const {
     if (first_error_) throw Input_error(*first_error_);
     const std::vector<Curve_file::Note> notes = notes_.notes();
-    document_.fail(root, "no curve in the drawing" + (notes.empty() ? "" : "; " + text_of(notes)));
+    document_.fail(root, "no curve in the drawing" + (notes.empty() ? "" : "; " + Curve_file::text_of(notes)));
   }
 
   void visit_children(const Svg_element& element, const Surroundings& surroundings) {

@@ -49,7 +49,7 @@ using Rational_kernel =
     return x;
   };
   for (const Xy<Exact>* p : {&frame.p0, &frame.p1}) look(p->x), look(p->y);
-  static_cast<void>(convert_shape<Exact>(frame.shape, look));
+  static_cast<void>(frame.shape.over<Exact>(look));
   return bits;
 }
 
@@ -108,7 +108,7 @@ template <class Thickness> [[nodiscard]] std::size_t least_precision(const Thick
 
 template <class Construction> [[nodiscard]] Root_number expression(const Costed_piece& c) {
   const auto shape = c.piece->spiral.template shape<Exact>(c.piece->t0, c.piece->t1);
-  return Construction::thickness(convert_shape<Root_number>(shape));
+  return Construction::thickness(shape.over<Root_number>());
 }
 
 template <class Construction> void count(const Costed_piece& piece, Stage_counts& counts) {

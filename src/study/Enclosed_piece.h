@@ -68,7 +68,7 @@ class Enclosed_piece {
       } catch (const CGAL::Uncertain_conversion_exception&) {  // a sign that is 0, or too near to it
       }
     }
-    return convert_shape<Mpfr_interval>(exact_shape(), enclosed);
+    return exact_shape().template over<Mpfr_interval>(enclosed);
   }
 
   const Bezier_spiral_2<double>& spiral_;

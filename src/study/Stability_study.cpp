@@ -157,8 +157,8 @@ class Stability_measurement {
       if (!frames && !is_stable) append_bisector(row, Region_figures<T>(), Xy<T>{});
       if (!frames) append(row, figure_errors(Region_figures<T>(), {}, exact), exact, INFINITE);
       else if (is_stable)
-        append(row, figure_errors(region_figures(Stable(), frame_at_origin(frames->stable.shape)), Xy<T>{}, exact),
-               exact, [&] { return Stable::boundary(frames->stable); });
+        append(row, figure_errors(region_figures(Stable(), frames->stable.shape.at_origin()), Xy<T>{}, exact), exact,
+               [&] { return Stable::boundary(frames->stable); });
       else {
         const Region_figures<T> figures = Textbook::figures(frames->textbook);
         append_bisector(row, figures, frames->textbook.p0);
@@ -171,7 +171,7 @@ class Stability_measurement {
   // The filtered kernel's regions, by its traits.
   template <class Stable_traits, class Textbook_traits> void measure_traits(const Exact_figures& exact) {
     if (!Stability_choice::names(choice_.kernels, "filtered")) return;
-    const Chord_frame_2<double>&frame = filtered_, at_origin = frame_at_origin(frame.shape);
+    const Chord_frame_2<double>&frame = filtered_, at_origin = frame.shape.at_origin();
     Stability_row row{{}, 0, Stable_traits::Construction::NAME, "textbook", "filtered", {}};
     row.frame = IN_PLACE;
     if (Stability_choice::names(choice_.formulas, row.formula))

@@ -91,7 +91,7 @@ class Condition_sum {
                                                            double unit, double t0, double t1) {
   const auto number = [](const CGAL::Exact_rational& x) { return Mpfr_interval(x, CONDITION_BITS); };
   const Taylor_table<Mpfr_interval> table(Taylor_table<CGAL::Exact_rational>(curve, unit), number);
-  return frame_at_origin(bezier_chord_shape(table, number(t0), number(t1), {}));
+  return bezier_chord_shape(table, number(t0), number(t1), {}).at_origin();
 }
 
 template <class Construction, class Textbook>

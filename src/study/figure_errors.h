@@ -45,7 +45,7 @@ inline constexpr double NARROW = 0x1p-80;
 template <class Construction> [[nodiscard]] std::optional<Exact_figures> exact_figures(Enclosed_piece& piece) {
   for (mpfr_prec_t bits = FIRST_PRECISION; bits <= LAST_PRECISION; bits *= 2) {
     try {
-      const Exact_figures figures = region_figures(Construction(), frame_at_origin(piece.shape(bits)));
+      const Exact_figures figures = region_figures(Construction(), piece.shape(bits).at_origin());
       if (is_narrow(figures)) return figures;
     } catch (const CGAL::Uncertain_conversion_exception&) {  // a comparison is open at this precision
     }
@@ -167,7 +167,7 @@ template <class Textbook>
 /// The narrow feet of a piece placed in the origin.
 template <class Textbook> [[nodiscard]] std::vector<Xy<Mpfr_interval>> exact_feet(Enclosed_piece& piece) {
   for (mpfr_prec_t bits = FIRST_PRECISION; bits <= LAST_PRECISION; bits *= 2) {
-    auto feet = narrow_feet<Textbook>(frame_at_origin(piece.shape(bits)));
+    auto feet = narrow_feet<Textbook>(piece.shape(bits).at_origin());
     if (!feet.empty()) return feet;
   }
   return {};

@@ -8,7 +8,7 @@
 #ifndef BOUNDING_ARCS_STUDY_SLOPE_INTEGRAL_H
 #define BOUNDING_ARCS_STUDY_SLOPE_INTEGRAL_H
 
-#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include "../library/chain/Cubic_arcs.h"
 
@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
   if (spiral.is_straight()) return 0;
   const double h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit();
   const auto density = [&](double s) {
-    const auto c = taylor_expansion(spiral.curve(), spiral.first() + s * h, 3);
+    const auto c = spiral.curve().taylor_expansion(spiral.first() + s * h, 3);
     const Xy<double> d1 = (h / unit) * c[1], d2 = (2 * h * h / unit) * c[2], d3 = (6 * h * h * h / unit) * c[3];
     const double speed = dot(d1, d1), change = cross(d1, d3) * speed - 3 * cross(d1, d2) * dot(d1, d2);
     const double value = std::cbrt(std::fabs(change)) / std::sqrt(speed);

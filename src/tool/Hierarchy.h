@@ -25,10 +25,9 @@ namespace bounding_arcs_tool {
 
 using CGAL::Bounding_arcs::Arc_2;
 using CGAL::Bounding_arcs::Bezier_curve_2;
-using CGAL::Bounding_arcs::bezier_pieces;
 using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::Input_error;
-using CGAL::Bounding_arcs::read_curves;
+using CGAL::Bounding_arcs::read_curve_file;
 using CGAL::Bounding_arcs::Xy;
 
 /// The library's three methods, and those to compare them with, which have hierarchies over the double kernel only.

@@ -114,7 +114,7 @@ Read_file read_file(const std::string& path, const Reading_words& words) {
     const double eps = words.join.empty() ? read.file.rounding : std::strtod(words.join.c_str(), nullptr);
     if (!words.join.empty())
       for (Curve_record& record : read.file.curves) record.end_error = 0;  // no end is to be moved farther than told
-    const ba::Joined_curves joined = join_records(read.file.curves, eps, !words.join.empty());
+    const ba::Joined_curves joined = join_curves(read.file.curves, eps, !words.join.empty());
     read.parts.clear();
     for (const auto& parts : joined.parts) read.parts.push_back(parts.size());
     read.joined = joined_text(joined);

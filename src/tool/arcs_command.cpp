@@ -46,7 +46,7 @@ struct Fitted_curve {
 // Twice the area of the curve closed by its chord, by its control polygon: positive if it runs counterclockwise.
 bool is_counterclockwise(const Fitted_curve& curve) {
   double area = 0;
-  const auto pieces = bezier_pieces<double>(curve.record);
+  const auto pieces = curve.record.bezier_pieces<double>();
   const Xy<double> origin = pieces.front().control_points().front();
   for (const auto& piece : pieces)
     for (std::size_t i = 0; i + 1 < piece.control_points().size(); ++i)
@@ -106,7 +106,7 @@ void join_arcs(Fitted_curve& curve, double eps) {
 Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, const Arcs_options& options) {
   Fitted_curve curve;
   curve.record = std::move(record);
-  const auto pieces = bezier_pieces<double>(curve.record);
+  const auto pieces = curve.record.bezier_pieces<double>();
   curve.number_of_beziers = pieces.size();
   Spirals spirals;
   for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -261,7 +261,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   };
   layer("curves", "c", [&](const Fitted_curve& c) {
     std::string path;
-    for (const auto& piece : bezier_pieces<double>(c.record)) path += curve_path(sheet.view, piece);
+    for (const auto& piece : c.record.bezier_pieces<double>()) path += curve_path(sheet.view, piece);
     return path;
   });
   layer("arcs", "a", [&](const Fitted_curve& c) {

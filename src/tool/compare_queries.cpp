@@ -88,7 +88,7 @@ std::vector<Query_row> query_rows(const std::vector<Loaded_curve>& curves, const
       const Loaded_curve& curve = curves[c];
       const auto tasks = served(curve.file, curve.record.name, [&] {
         Drawing_2<double> drawing;
-        drawing.add(bezier_pieces<double>(curve.record));
+        drawing.add(curve.record.bezier_pieces<double>());
         return search_tasks(drawing, POINTS, eps);
       });
       Search_report reference;

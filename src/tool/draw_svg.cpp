@@ -142,7 +142,7 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
     });
   layer("curves", [&](const Drawn_curve& c) {
     out << "<path class=\"c\" d=\"";
-    for (const auto& curve : bezier_pieces<double>(c.curve->record)) out << curve_path(view, curve);
+    for (const auto& curve : c.curve->record.bezier_pieces<double>()) out << curve_path(view, curve);
     out << "\"/>\n";
   });
   layer("ends", [&](const Drawn_curve& c) {

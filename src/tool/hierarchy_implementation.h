@@ -160,7 +160,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     using Construction = typename Traits::Construction;
     auto shape = spiral_of(node).accurate_shape(node.t0, node.t1, ba::shape_parts<Construction>());
     const double unit = std::exchange(shape.unit, 1.0);
-    return std::pair(tree_.traits().construction().boundary(ba::frame_at_origin(shape)), unit);
+    return std::pair(tree_.traits().construction().boundary(shape.at_origin()), unit);
   }
   /// visit(piece, certified region, whether there may be more regions) for all leaves or, where the region that another
   /// one steps back to is thicker than eps, for parts of them
@@ -292,7 +292,7 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
  public:
   explicit Segmented_curve_of(const Curve_record& record) {
     ba::Drawing_2<NT> drawing;
-    drawing.add(bezier_pieces<NT>(record), record.name);
+    drawing.add(record.bezier_pieces<NT>(), record.name);
     number_of_beziers_ = drawing.curves().front().beziers.size();
     spirals_ = ba::spiral_segments(drawing);
   }

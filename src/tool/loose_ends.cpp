@@ -57,7 +57,7 @@ ba::Curve_file::Note Loose_ends::note() const {
   return {open, what, gaps > 0 ? "--join-ends " + short_number(widest) + " joins them" : "no inside"};
 }
 
-std::string Loose_ends::text() const { return text_of(note()); }
+std::string Loose_ends::text() const { return ba::Curve_file::text_of(note()); }
 
 Loose_ends loose_ends(const ba::Drawing_2<double>& drawing) {
   Loose_ends ends;
@@ -75,7 +75,8 @@ Loose_ends loose_ends(const ba::Drawing_2<double>& drawing) {
   // Order tells what the curves of a file are, not what these have become: each is on a layer of its own.
   std::vector<std::size_t> layers(ends.open);
   std::iota(layers.begin(), layers.end(), std::size_t(0));
-  ba::Joined_curves joined = ba::join_curves(open, ba::rounding_of_ends(ba::coordinate_size(drawing)), layers);
+  ba::Joined_curves joined =
+      ba::join_curves(open, ba::Joined_curves::rounding_of_ends(drawing.coordinate_size()), layers);
   // Details that are smaller than the gaps between others hide these: what is nearest goes first.
   for (const double share : {0x1p-30, 0x1p-20, 0x1p-10}) {
     if (joined.joints > 0) break;

@@ -102,7 +102,7 @@ void tell_change(const std::string& file, const std::string& text, const Reading
 }
 
 void tell_notes(const std::string& file, const std::vector<ba::Curve_file::Note>& notes, const Reading_words& words) {
-  tell_change(file, text_of(notes), words);
+  tell_change(file, ba::Curve_file::text_of(notes), words);
 }
 
 namespace {

@@ -250,7 +250,7 @@ TEST(Arrangements, CarryPolygonSets) {
     return drawing;
   };
   const auto polygon = [](const Lattice_drawing& drawing) {
-    const std::vector<ba::Arr_x_monotone_curve_2> parts =
+    const std::vector<ba::Arr_curve_2::Part> parts =
         bounding_arcs_test::arr_curve_traits::parts_of(Traits(), ba::arr_curves(drawing));
     return Polygon_traits::Polygon_2(parts.begin(), parts.end());
   };

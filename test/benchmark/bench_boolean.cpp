@@ -87,7 +87,7 @@ Drawing moved(const Drawing& drawing, double by) {
 Timed ours(const Drawing& a, const Drawing& b, int runs) {
   const auto unite = [&] {
     const ba::Bounding_arc_tree_2 tree_a(a), tree_b(b);
-    return ba::outline_drawing({&tree_a, &tree_b}, ba::unite(tree_a, tree_b));
+    return ba::drawn_outline({&tree_a, &tree_b}, ba::unite(tree_a, tree_b)).drawing;
   };
   return least_time(runs, unite, [](const Drawing& united) {
     const auto bounds = ba::area(ba::Bounding_arc_tree_2(united), 1e-9);

@@ -81,8 +81,8 @@ template <class Traits, class Node> void add_regions(double eps) {
 void add_builds() {
   ba::Build_options keep, base, avx2;
   keep.keep_thickness = true;
-  base.instruction_set = ba::Instruction_set::BASE;
-  avx2.instruction_set = ba::Instruction_set::AVX2;
+  base.instruction_set = ba::Build_options::Instruction_set::BASE;
+  avx2.instruction_set = ba::Build_options::Instruction_set::AVX2;
   for (const double eps : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
     const std::string textbook = textbook_name<Textbook_bca_node>(eps), bca = "bca, " + number(eps);
     add_regions<ba::Bca_traits_2<Double>, Textbook_bca_node>(eps);

@@ -15,6 +15,10 @@
 
 #include <CGAL/tags.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -110,8 +114,10 @@ void build_apart(benchmark::State& state, std::size_t n, double eps) {
   const std::vector<std::vector<Spiral>> spirals(std::thread::hardware_concurrency(), spirals_of(n));
   const auto make = [&](std::vector<std::vector<Spiral>> copies) {
     std::vector<std::unique_ptr<Tree>> trees(copies.size());
-    ba::for_each_index<CGAL::Parallel_tag>(
-        trees.size(), [&](std::size_t i) { trees[i] = std::make_unique<Tree>(std::move(copies[i]), eps, options); });
+    tbb::parallel_for(
+        std::size_t(0), trees.size(), std::size_t(1),
+        [&](std::size_t i) { trees[i] = std::make_unique<Tree>(std::move(copies[i]), eps, options); },
+        tbb::simple_partitioner());
     return trees;
   };
   time_builds(state, spirals, make, [&](const std::vector<std::unique_ptr<Tree>>& trees) {

@@ -42,8 +42,8 @@ inline const std::vector<Bezier>& bundled_beziers() {
       if (entry.path().extension() == ".json") files.insert(entry.path());
     std::vector<Bezier> all;
     for (const auto& file : files)
-      for (const auto& record : ba::read_curves(file.string()))
-        for (const Bezier& piece : ba::bezier_pieces<double>(record)) all.push_back(piece);
+      for (const auto& record : ba::read_curve_file(file.string()).curves)
+        for (const Bezier& piece : record.bezier_pieces<double>()) all.push_back(piece);
     return all;
   }();
   return curves;

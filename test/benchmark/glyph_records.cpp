@@ -33,7 +33,7 @@ using Outline = std::vector<Run>;
 
 Outline outline(const ba::Curve_record& record) {
   Outline runs;
-  for (const auto& piece : ba::bezier_pieces<double>(record)) {
+  for (const auto& piece : record.bezier_pieces<double>()) {
     if (piece.is_rational())
       throw std::invalid_argument(record.name + " has weights, which outlines of glyphs have not");
     const auto& points = piece.control_points();
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
     if (argc < 4) throw std::invalid_argument("usage: glyph_records NUMBER SCALE FILE...");
     std::vector<Outline> outlines;
     for (int i = 3; i < argc; ++i)
-      for (const ba::Curve_record& record : ba::read_curves(argv[i])) outlines.push_back(outline(record));
+      for (const ba::Curve_record& record : ba::read_curve_file(argv[i]).curves) outlines.push_back(outline(record));
     write_records(std::stoull(argv[1]), std::stod(argv[2]), outlines);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "glyph_records: %s\n", error.what());

@@ -98,8 +98,8 @@ int main(int argc, char** argv) {
   if (argc < 4) return std::fputs("usage: offset_areas EPS SHARE FILE...\n", stderr), 2;
   Verdict worst;
   for (int i = 3; i < argc; ++i) {
-    const Verdict v =
-        compare(argv[i], ba::drawing<double>(ba::read_curves(argv[i])), std::atof(argv[1]), std::atof(argv[2]));
+    const Verdict v = compare(argv[i], ba::drawing<double>(ba::read_curve_file(argv[i]).curves), std::atof(argv[1]),
+                              std::atof(argv[2]));
     worst = {(std::max)(worst.share, v.share), worst.is_good && v.is_good};
   }
   std::printf("%d files, eps %s of the size: at most %.3f of eps times the length, %s\n", argc - 3, argv[1],

@@ -25,7 +25,8 @@ std::vector<Chain> bundled_curves() {
     if (entry.path().extension() == ".json") files.insert(entry.path());
   std::vector<Chain> curves;
   for (const auto& file : files)
-    for (const auto& record : ba::read_curves(file.string())) curves.push_back(ba::bezier_pieces<double>(record));
+    for (const auto& record : ba::read_curve_file(file.string()).curves)
+      curves.push_back(record.bezier_pieces<double>());
   return curves;
 }
 

@@ -150,9 +150,9 @@ int main(int argc, char** argv) {
     std::size_t lines = 0, parts = 0;
     std::ios::sync_with_stdio(false);
     for (std::string line; std::getline(std::cin, line); ++lines)
-      for (const ba::Curve_record& record : ba::read_curves_from_text(line, "record", "curve")) {
+      for (const ba::Curve_record& record : ba::Curve_file::from_text(line, "record", "curve").curves) {
         Spirals spirals;
-        for (const auto& piece : ba::bezier_pieces<double>(record))
+        for (const auto& piece : record.bezier_pieces<double>())
           for (auto& spiral : ba::spiral_segments(piece)) spirals.push_back(std::move(spiral));
         parts += answer(what, std::move(spirals), eps, printer);
         if (printer.is_on()) printer.end_line();

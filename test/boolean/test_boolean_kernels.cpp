@@ -42,7 +42,7 @@ TYPED_TEST(BooleanKernels, AgreeWithExactDecisions) {
   for (int i = 0; i < cases(20); ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
     const Drawing a = random_lattice_drawing(random, 3), b = random_lattice_drawing(random, 3);
-    const TypeParam tree_a(ba::converted<typename TypeParam::FT>(a)), tree_b(ba::converted<typename TypeParam::FT>(b));
+    const TypeParam tree_a(a.over<typename TypeParam::FT>()), tree_b(b.over<typename TypeParam::FT>());
     const Operands operands({a, b});
     for (const Boolean_operation operation : OPERATIONS) {
       SCOPED_TRACE("case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
@@ -82,7 +82,7 @@ TEST(BooleanKernels, CountNumbersThatAreNoDoubles) {
     ASSERT_EQ(along.chains.size(), 1u) << parts;
     EXPECT_EQ(along.chains.front().parts.size(), 5u) << parts;  // without what they share
     EXPECT_TRUE(beside.chains.empty()) << parts;
-    const ba::Drawn_outline drawn = ba::drawn_outline({&a, &c}, along);
+    const ba::Outline_2::Drawn drawn = ba::drawn_outline({&a, &c}, along);
     EXPECT_GE(drawn.moved, (std::max)(a.rounding(), c.rounding())) << parts;
     EXPECT_LE(drawn.moved, 1e-13) << parts;
   }

@@ -145,11 +145,14 @@ TEST(BooleanOperations, HaveAreasThatAddUp) {
     std::mt19937 random(static_cast<unsigned>(1000 + i));
     const Operands operands({random_closed(random), random_closed(random)});
     const auto area = [&](Boolean_operation operation) {
-      return area_of(ba::outline_drawing(operands.trees(), operands.outline(operation, Fill_rule::NONZERO)), EPS);
+      return area_of(
+          ba::drawn_outline(operands.trees(), operands.outline(operation, Fill_rule::NONZERO), {false}).drawing, EPS);
     };
     const auto own = [&](std::size_t k) {
       const Operands one({*operands.drawings()[k]});
-      return area_of(ba::outline_drawing(one.trees(), one.outline(Boolean_operation::UNION, Fill_rule::NONZERO)), EPS);
+      return area_of(
+          ba::drawn_outline(one.trees(), one.outline(Boolean_operation::UNION, Fill_rule::NONZERO), {false}).drawing,
+          EPS);
     };
     const double sum = own(0) + own(1), both = area(Boolean_operation::INTERSECTION);
     constexpr double ROUNDING = 1e-11;
@@ -178,7 +181,7 @@ TEST(BooleanOperations, KeepRegionsThatTouchApart) {
   const Operands squares({a, b});
   const Outline_2 outline = squares.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, Fill_rule::NONZERO);
   ASSERT_EQ(outline.chains.size(), 2u);
-  const Drawing drawing = ba::outline_drawing(squares.trees(), outline);
+  const Drawing drawing = ba::drawn_outline(squares.trees(), outline, {false}).drawing;
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(outline.chains[i].is_ccw);
     EXPECT_FALSE(outline.chains[i].parent);
@@ -214,8 +217,9 @@ TEST(BooleanOperations, FillEachOperandByItsOwnRule) {
         expect_outline(operands, operation, {first, second}, random, 50,
                        "rules " + std::to_string(static_cast<int>(first)) + std::to_string(static_cast<int>(second)));
       areas.push_back(
-          area_of(ba::outline_drawing(operands.trees(),
-                                      operands.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, {first, second})),
+          area_of(ba::drawn_outline(operands.trees(),
+                                    operands.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, {first, second}), {false})
+                      .drawing,
                   1e-12));
     }
   for (std::size_t i = 0; i < areas.size(); ++i)
@@ -239,7 +243,7 @@ TEST(BooleanOperations, TakeThreeOperands) {
     std::mt19937 random(1);
     expect_outline(operands, OPERATIONS[i], Fill_rule::NONZERO, random, 200, std::to_string(i));
     const Outline_2 outline = operands.outline(OPERATIONS[i], Fill_rule::NONZERO);
-    EXPECT_EQ(area_of(ba::outline_drawing(operands.trees(), outline), 0), areas[i]) << i;
+    EXPECT_EQ(area_of(ba::drawn_outline(operands.trees(), outline, {false}).drawing, 0), areas[i]) << i;
   }
 }
 
@@ -262,7 +266,7 @@ TEST(BooleanOperations, TakeOperandsThatFillNothing) {
       const Operands operands(given, decisions);
       for (const Boolean_operation operation : OPERATIONS) {
         const Outline_2 outline = operands.outline(operation, Fill_rule::NONZERO);
-        const ba::Drawn_outline drawn = ba::drawn_outline(operands.trees(), outline);
+        const ba::Outline_2::Drawn drawn = ba::drawn_outline(operands.trees(), outline);
         const bool is_square = area > 0 && (given.size() == 1 || operation == Boolean_operation::UNION ||
                                             operation == Boolean_operation::SYMMETRIC_DIFFERENCE ||
                                             (operation == Boolean_operation::DIFFERENCE && i == 5));

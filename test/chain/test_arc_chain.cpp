@@ -300,8 +300,9 @@ TEST(ArcChain, IsTheSameForEveryInstructionSet) {
     for (const double eps : {1e-5, 1e-9}) {
       const auto& spirals = bundled_curves()[2].spirals;
       const Arc_chain base =
-          arc_chain(spirals, eps, {continuity, Arc_chain::Side::BOTH, 1'000'000, Instruction_set::BASE});
-      for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
+          arc_chain(spirals, eps, {continuity, Arc_chain::Side::BOTH, 1'000'000, Build_options::Instruction_set::BASE});
+      for (const Build_options::Instruction_set set :
+           {Build_options::Instruction_set::AVX2, Build_options::Instruction_set::AVX512}) {
         const Arc_chain wide = arc_chain(spirals, eps, {continuity, Arc_chain::Side::BOTH, 1'000'000, set});
         ASSERT_EQ(wide.arcs.size(), base.arcs.size());
         static_assert(sizeof(Arc_chain::Arc) == 8 * sizeof(double) + sizeof(std::size_t), "no padding");

@@ -164,7 +164,6 @@ std::size_t offsets_and_axes() {
   std::size_t count = source.number_of_arcs() + source.at({0.1, 0.2}).size() + source.outline().chains.size() +
                       offset(tree, -0.1, 1e-3).chains.size() + insets(tree, 0.2, 1e-3).size() +
                       Offset_source_2(grown.chains, 1e-3).at(0.1).chains.size() +
-                      offset_twice(tree, 0.1, -0.1, 1e-3).second.chains.size() +
                       opening(tree, 0.1, 1e-3).chains.size() + closing(tree, 0.1, 1e-3).chains.size() +
                       offset_bracket(tree, 0.1, 1e-2).inside.chains.size() + svg_path(grown).size();
   if (const auto error = offset_error(tree, grown, 1e-3)) count += error->farthest.upper > 0 ? 1u : 0u;
@@ -197,7 +196,7 @@ std::size_t b_splines() {
   return clamped.bezier_pieces().size();
 }
 std::size_t files() {
-  const std::vector<Curve_record> records = read_curves("-");
+  const std::vector<Curve_record> records = read_curve_file("-").curves;
   return drawing<CGAL::Exact_rational>(records).curves().size() + read_drawing("-").curves().size();
 }
 

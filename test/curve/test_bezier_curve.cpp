@@ -4,7 +4,7 @@
 //
 // Bezier curves against their definition, split, cut and reversed, their error bound in double, and derivatives.
 
-#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -117,7 +117,7 @@ TEST(Derivatives, EqualDifferenceQuotientsOfTheirAntiderivatives) {
     const Exact t = Exact(3) / 8, h = Exact(1) / 5;
     Xy<Exact> sum;
     Exact power(1);
-    for (const Xy<Exact>& c : taylor_expansion(curve, t, degree)) {
+    for (const Xy<Exact>& c : curve.taylor_expansion(t, degree)) {
       sum = sum + power * c;
       power *= h;
     }
@@ -136,15 +136,15 @@ TEST(Derivatives, OfRationalCurvesObeyTheProductRule) {
       numerator.push_back(curve.weights()[i] * curve.control_points()[i]);
       weight.push_back({curve.weights()[i], Exact(0)});
     }
-    const auto a = taylor_expansion(Bezier_curve_2<Exact>(numerator), t, 5),
-               w = taylor_expansion(Bezier_curve_2<Exact>(weight), t, 5);
-    const auto c = taylor_expansion(curve, t, 5);
+    const auto a = Bezier_curve_2<Exact>(numerator).taylor_expansion(t, 5),
+               w = Bezier_curve_2<Exact>(weight).taylor_expansion(t, 5);
+    const auto c = curve.taylor_expansion(t, 5);
     for (std::size_t k = 0; k <= 5; ++k) {
       Xy<Exact> sum;
       for (std::size_t j = 0; j <= k; ++j) sum = sum + w[j].x * c[k - j];
       EXPECT_EQ(sum, a[k]) << degree << ' ' << k;
     }
-    EXPECT_EQ(derivative(curve, t, 3), Exact(6) * c[3]);
+    EXPECT_EQ(curve.derivative(t, 3), Exact(6) * c[3]);
   }
 }
 
@@ -153,7 +153,7 @@ TEST(EndJet, TakesTheOneSidedTangentWhereTheDerivativeVanishes) {
   const Bezier_curve_2<Exact> cusp(
       {{Exact(1), Exact(-1)}, {Exact(-1) / 3, Exact(1)}, {Exact(-1) / 3, Exact(-1)}, {Exact(1), Exact(1)}});
   const Exact half = Exact(1) / 2;
-  const auto before = end_jet(cusp, half, false), after = end_jet(cusp, half, true);
+  const auto before = cusp.end_jet(half, false), after = cusp.end_jet(half, true);
   ASSERT_TRUE(before && after);
   EXPECT_EQ(after->point, (Xy<Exact>{Exact(0), Exact(0)}));
   EXPECT_EQ(after->first, (Xy<Exact>{Exact(8), Exact(0)}));
@@ -161,12 +161,12 @@ TEST(EndJet, TakesTheOneSidedTangentWhereTheDerivativeVanishes) {
   // a zero-length handle, seen from its only side
   const Bezier_curve_2<Exact> handle(
       {{Exact(0), Exact(0)}, {Exact(0), Exact(0)}, {Exact(1), Exact(2)}, {Exact(3), Exact(0)}});
-  EXPECT_EQ(cross(end_jet(handle, Exact(0), true)->first, Xy<Exact>{Exact(1), Exact(2)}), Exact(0));
-  EXPECT_GT(end_jet(handle, Exact(0), true)->first.x, Exact(0));
+  EXPECT_EQ(cross(handle.end_jet(Exact(0), true)->first, Xy<Exact>{Exact(1), Exact(2)}), Exact(0));
+  EXPECT_GT(handle.end_jet(Exact(0), true)->first.x, Exact(0));
   // an ordinary point, and a curve that is one point
-  EXPECT_EQ(end_jet(handle, half, true)->first, derivative(handle, half, 1));
-  EXPECT_EQ(end_jet(handle, half, true)->second, derivative(handle, half, 2));
-  EXPECT_FALSE(end_jet(Bezier_curve_2<Exact>({{Exact(1), Exact(1)}, {Exact(1), Exact(1)}}), half, true));
+  EXPECT_EQ(handle.end_jet(half, true)->first, handle.derivative(half, 1));
+  EXPECT_EQ(handle.end_jet(half, true)->second, handle.derivative(half, 2));
+  EXPECT_FALSE(Bezier_curve_2<Exact>({{Exact(1), Exact(1)}, {Exact(1), Exact(1)}}).end_jet(half, true));
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(Drawing, HasLeavesWithNeighboursAlongTheCurve) {
     std::size_t leaves = 0, ends = 0;
     tree.for_each_leaf([&](const Node_handle& h) {
       ++leaves;
-      const auto next = next_leaf(tree, h);
+      const auto next = tree.next_leaf(h);
       if (!next) {
         ++ends;
         return;
@@ -138,8 +138,8 @@ TEST(Drawing, HasLeavesWithNeighboursAlongTheCurve) {
       const Region_node n = tree.node(h), m = tree.node(*next);
       EXPECT_TRUE(m.is_leaf);
       EXPECT_TRUE(tree.spirals()[n.spiral].point(n.t1) == tree.spirals()[m.spiral].point(m.t0));
-      EXPECT_EQ(place_of(tree, n, n.t1).curve, place_of(tree, m, m.t0).curve);
-      const auto back = previous_leaf(tree, *next);
+      EXPECT_EQ(tree.place_of(n, n.t1).curve, tree.place_of(m, m.t0).curve);
+      const auto back = tree.previous_leaf(*next);
       ASSERT_TRUE(back.has_value());
       const Region_node b = tree.node(*back);
       EXPECT_TRUE(b.spiral == n.spiral && b.t0 == n.t0 && b.t1 == n.t1);

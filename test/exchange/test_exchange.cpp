@@ -67,14 +67,14 @@ TEST(PolygonArea, BracketsClosedForms) {
       const Xy<double> a{3 * size, size}, b{4 * size, 3 * size};
       const double angle = 4 * std::atan(bulge), r = std::sqrt(5) * size * (1 + bulge * bulge) / (4 * bulge);
       const double expected = r * r * (angle - std::sin(angle));
-      const Measure_bounds area = polygon_area(polygon_of_arcs(std::vector<Arc_2>{{a, b, bulge}, {b, a, bulge}}));
+      const Measure_bounds area = polygon_area(general_polygon(std::vector<Arc_2>{{a, b, bulge}, {b, a, bulge}}));
       const double slack = 1e-9 * expected;  // of the closed form, whose digits cancel
       EXPECT_LE(area.lower, expected + slack) << size << " " << bulge;
       EXPECT_GE(area.upper, expected - slack) << size << " " << bulge;
       EXPECT_LE(area.upper - area.lower, 1e-13 * size * size) << size << " " << bulge;
     }
   const Measure_bounds disc =
-      polygon_area(polygon_of_arcs(std::vector<Arc_2>{{{-1, 0}, {1, 0}, 1}, {{1, 0}, {-1, 0}, 1}}));
+      polygon_area(general_polygon(std::vector<Arc_2>{{{-1, 0}, {1, 0}, 1}, {{1, 0}, {-1, 0}, 1}}));
   EXPECT_LE(disc.lower, pi);
   EXPECT_GE(disc.upper, pi);
   EXPECT_LE(disc.upper - disc.lower, 1e-14);
@@ -82,8 +82,8 @@ TEST(PolygonArea, BracketsClosedForms) {
 
 TEST(GeneralPolygon, RunsCounterclockwiseAndIsClosed) {
   const std::vector<Arc_2> clockwise{{{0, 0}, {0, 1}, 0}, {{0, 1}, {1, 1}, -0.2}, {{1, 1}, {0, 0}, 0}};
-  EXPECT_GT(polygon_area(polygon_of_arcs(clockwise)).lower, 0.5);
-  EXPECT_THROW((void)polygon_of_arcs(std::vector<Arc_2>{{{0, 0}, {0, 1}, 0}, {{0, 1}, {1, 1}, 0}}),
+  EXPECT_GT(polygon_area(general_polygon(clockwise)).lower, 0.5);
+  EXPECT_THROW((void)general_polygon(std::vector<Arc_2>{{{0, 0}, {0, 1}, 0}, {{0, 1}, {1, 1}, 0}}),
                std::invalid_argument);
 }
 
@@ -94,10 +94,10 @@ TEST(RegionPolygon, IsNothingWithoutArea) {
     return Region_boundary_2<FT>{Boundary_chain_2<FT>(piece_on_chord(from, to, FT(inner))),
                                  Boundary_chain_2<FT>(piece_on_chord(from, to, FT(outer)))};
   };
-  EXPECT_FALSE(region_polygon(region(0, 0)));
-  EXPECT_FALSE(region_polygon(region(0.25, 0.25)));
+  EXPECT_FALSE(general_polygon(region(0, 0)));
+  EXPECT_FALSE(general_polygon(region(0.25, 0.25)));
   for (const auto& r : {region(0, 0.25), region(0.125, 0.25), region(-0.125, -0.25)}) {
-    const auto polygon = region_polygon(r);
+    const auto polygon = general_polygon(r);
     ASSERT_TRUE(polygon);
     EXPECT_TRUE(CGAL::is_valid_polygon(*polygon, Traits()));
     EXPECT_GT(polygon_area(*polygon).lower, 0.01);
@@ -159,7 +159,7 @@ TEST(WidenedOutline, HoldsAllThatIsAsNearAsTheWidening) {
     for (const double widening : {1e-15, 1e-9, 1e-4, 0.01}) {
       region.widening = widening;
       const Widened_outline outline = widened_outline(region);
-      const auto polygon = polygon_of_arcs(outline.arcs);
+      const auto polygon = general_polygon(outline.arcs);
       ASSERT_TRUE(CGAL::is_valid_polygon(polygon, Traits()))
           << widening << ", bulges " << region.inner.bulges[0] << " " << region.outer.bulges[0] << ", arcs "
           << region.outer.size;

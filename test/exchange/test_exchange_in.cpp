@@ -73,6 +73,25 @@ TEST(CurvesOfPoints, TakeKernelPointsAndKeepTheirNumbers) {
   EXPECT_THROW((void)Bezier_curve_2<double>(std::vector<Linear_kernel::Point_2>()), std::invalid_argument);
 }
 
+// Has the members of an x-monotone curve of Arr_circle_segment_traits_2.
+class Part_of_circle {
+ public:
+  using Kernel = CGAL::Simple_cartesian<double>;
+  Part_of_circle(const Xy<double>& from, const Xy<double>& to, const Xy<double>& center, double squared_radius,
+                 bool ccw)
+      : from_(from.x, from.y), to_(to.x, to.y), circle_({center.x, center.y}, squared_radius),
+        orientation_(ccw ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE) {}
+  [[nodiscard]] const Kernel::Point_2& source() const { return from_; }
+  [[nodiscard]] const Kernel::Point_2& target() const { return to_; }
+  [[nodiscard]] const Kernel::Circle_2& supporting_circle() const { return circle_; }
+  [[nodiscard]] CGAL::Orientation orientation() const { return orientation_; }
+
+ private:
+  Kernel::Point_2 from_, to_;
+  Kernel::Circle_2 circle_;
+  CGAL::Orientation orientation_;
+};
+
 TEST(ArcsOfKernel, RunAsTheKernelsDo) {
   const Kernel::Circle_2 circle(Kernel::Point_2(FT(1), FT(2)), FT(25));
   const auto at = [](int x, int y) { return Kernel::Circular_arc_point_2(Kernel::Point_2(FT(x), FT(y))); };
@@ -95,7 +114,7 @@ TEST(ArcsOfKernel, RunAsTheKernelsDo) {
     const double b = arc.bulge, rise = (1 - b * b) / (4 * b);
     const Xy<double> center = arc.from + 0.5 * chord + rise * across;
     const double radius = std::sqrt(dot(chord, chord)) * (1 + b * b) / (4 * std::fabs(b));
-    const auto again = arcs_on_circle(arc.from, arc.to, center, radius * radius, b > 0);
+    const auto again = arcs_of(Part_of_circle(arc.from, arc.to, center, radius * radius, b > 0));
     ASSERT_EQ(again.size(), 1U);
     EXPECT_NEAR(again[0].bulge, b, 1e-14 * std::fabs(b));
   }
@@ -105,7 +124,7 @@ TEST(ArcsOfKernel, AreTwoBeyondHalfACircleEitherWay) {
   const Xy<double> center{1, 2}, from{6, 2}, to{1, 7};
   for (const bool is_ccw : {true, false}) {
     const Xy<double>&first = is_ccw ? to : from, &last = is_ccw ? from : to;  // three quarters
-    const auto arcs = arcs_on_circle(first, last, center, 25, is_ccw);
+    const auto arcs = arcs_of(Part_of_circle(first, last, center, 25, is_ccw));
     ASSERT_EQ(arcs.size(), 2U);
     EXPECT_EQ(arcs[0].from, first);
     EXPECT_EQ(arcs[0].to, arcs[1].from);
@@ -123,7 +142,7 @@ TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
     triangle.push_back(Linear_kernel::Point_2(FT(p.first), FT(p.second)));
   add_to_drawing(drawing, triangle, "triangle");
   const std::vector<Arc_2> arcs{{{0, 0}, {2, 0}, 0.3}, {{2, 0}, {2, 3}, -0.2}, {{2, 3}, {0, 0}, 1}};
-  const auto polygon = polygon_of_arcs(arcs);
+  const auto polygon = general_polygon(arcs);
   add_to_drawing(drawing, polygon, "arcs");
   add_to_drawing(drawing, Arc_polygon_with_holes_2<>(polygon), "again");
   ASSERT_EQ(drawing.curves().size(), 3U);

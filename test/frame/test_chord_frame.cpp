@@ -218,7 +218,7 @@ TEST(ChordShape, KeepsItsDigitsInDoubleWhereVectorsAreTiny) {
     for (const int depth : {10, 30, 36, 45}) {
       const double length = std::ldexp(1.0, -depth), t0 = is_reversed ? 1 - length : 0, t1 = t0 + length;
       const Invariants wanted = invariants(spirals[0].shape<Exact>(t0, t1)),
-                       found = invariants(convert_shape<Exact>(spirals[0].accurate_shape(t0, t1)));
+                       found = invariants(spirals[0].accurate_shape(t0, t1).over<Exact>());
       for (std::size_t i = 0; i < wanted.size(); ++i)
         EXPECT_LE(abs(Exact(found[i] - wanted[i])), abs(wanted[i]) * Exact(0x1p-45)) << i << ", depth " << depth;
     }
@@ -264,7 +264,7 @@ TEST(ChordShape, GivesCircularArcsTheThicknessZero) {
     EXPECT_FALSE(shape.proper);
     EXPECT_EQ(shape.turn, 1);
     EXPECT_TRUE(shape.kneser0 == 0 && shape.kneser1 == 0);
-    const auto expression = convert_shape<Expr>(shape);
+    const auto expression = shape.over<Expr>();
     EXPECT_EQ(Bca::thickness(expression), Expr(0));
     EXPECT_EQ(Spiral_fat_arc::thickness(expression), Expr(0));
     EXPECT_EQ(Bilens::thickness(expression), Expr(0));

@@ -57,7 +57,7 @@ void put_curve(const Curve_record& record) {
 int main(int count, char** arguments) {
   if (count < 2) return 2;
   for (int i = 2; i < count; ++i) put(static_cast<std::size_t>(std::atoi(arguments[i])));
-  const auto records = CGAL::Bounding_arcs::read_curves(arguments[1]);
+  const auto records = CGAL::Bounding_arcs::read_curve_file(arguments[1]).curves;
   put(records.size() - 1);
   for (const Curve_record& record : records) put_curve(record);
 }

@@ -25,7 +25,7 @@ ba::Drawing_2<double> closed_drawing(Byte_source& bytes, double& size) {
   size = size_of(records);
   ba::Drawing_2<double> drawing;
   for (const Curve_record& record : records) {
-    auto chain = ba::bezier_pieces<double>(record);
+    auto chain = record.bezier_pieces<double>();
     const Xy<double> first = chain.front().control_points().front(), last = chain.back().control_points().back();
     if (first != last) chain.emplace_back(std::vector<Xy<double>>{last, first});
     drawing.add(std::move(chain));

@@ -30,8 +30,7 @@ template <class Read> void read(Nothing nothing, const Read& read_records) {
   try {
     const std::vector<Curve_record> records = read_records();
     expect(!records.empty() || nothing == Nothing::ALLOWED, "a file that is read has a curve");
-    for (const Curve_record& record : records)
-      expect(!CGAL::Bounding_arcs::bezier_pieces<double>(record).empty(), "a curve has a piece");
+    for (const Curve_record& record : records) expect(!record.bezier_pieces<double>().empty(), "a curve has a piece");
   } catch (const Input_error& error) {
     const std::string_view line = error.what();
     expect(line.substr(0, 6) == "file: ", "an error names the file");

@@ -93,11 +93,13 @@ inline Recorded_results cubic_sample(Recording& recording) {
   recording.call(s.name(), "s");
   CGAL::Bounding_arcs::Xy<Recorded> b[3];
   for (int i = 0; i < 3; ++i) {
-    b[i] = CGAL::Bounding_arcs::blend(s, points[i], t, points[i + 1]);
+    b[i] = CGAL::Bounding_arcs::Bezier_evaluator::blend(s, points[i], t, points[i + 1]);
     recording.call(b[i].x.name(), "b" + std::to_string(i));
-    if (i > 0) recording.call(CGAL::Bounding_arcs::blend(s, b[i - 1], t, b[i]).x.name(), "c" + std::to_string(i));
+    if (i > 0)
+      recording.call(CGAL::Bounding_arcs::Bezier_evaluator::blend(s, b[i - 1], t, b[i]).x.name(),
+                     "c" + std::to_string(i));
   }
-  const auto jet = CGAL::Bounding_arcs::cubic_jet(points, t);
+  const auto jet = CGAL::Bounding_arcs::Bezier_evaluator::cubic_jet(points, t);
   recording.call(jet.point.x.name(), "point");
   recording.call(jet.first.x.name(), "first");
   recording.call(jet.second.x.name(), "second");

@@ -79,23 +79,23 @@ inline Recorded_shape named_shape(Recording& recording) {
 }
 
 inline Recorded_results lengths(Recording& recording) {
-  const auto g = chord_angles(named_shape(recording));
+  const auto g = named_shape(recording).angles();
   return {g.length0, g.length1, g.chord};
 }
 inline Recorded_results bulges(Recording& recording) {
-  const auto g = chord_angles(named_shape(recording));
+  const auto g = named_shape(recording).angles();
   return {g.bulge0, g.bulge1};
 }
 /// A d1 - B d0, with names for the terms of its sums.
 inline Recorded_results change(Recording& recording) {
   const Recorded_shape f = named_shape(recording);
-  const auto g = chord_angles(f);
+  const auto g = f.angles();
   const Recorded first = f.cross0 * g.length1, second = f.cross1 * g.length0;
   recording.call(first.name(), "first");
   recording.call((first + second).name(), "both");
   recording.call((f.cross0 + f.cross1).name(), "crosses");
   recording.call((g.chord * f.square_change * ((f.cross0 + f.cross1) / (first + second))).name(), "of_squares");
-  const Recorded result = bulge_change(f, g.length0, g.length1, g.chord);
+  const Recorded result = f.bulge_change(g.length0, g.length1, g.chord);
   recording.call(result.name(), "change");
   return {result};
 }
@@ -136,7 +136,7 @@ inline Tight_frame_2<Recorded> named_tight_frame(Recording& recording) {
 }
 inline Recorded_results half_angles(Recording& recording) {
   const auto t = named_tight_frame(recording);
-  const Recorded b = chord_angles(recorded_shape(recording)).bulge0;
+  const Recorded b = recorded_shape(recording).angles().bulge0;
   recording.call((b * b).name(), "square_b");
   recording.call((1 + b * b).name(), "below");
   recording.call((1 - b * b).name(), "above");
@@ -156,7 +156,7 @@ inline Tight_frame_2<Recorded> named_bilens(Recording& recording) {
   recording.call(ratio_b.name(), "ratio_b");
   recording.call((ratio_a * ratio_b).name(), "ratios");
   recording.call((t.sin_tight + t.sin_delta * ratio_b).name(), "contact_tight");
-  recording.call(contact_flat(t).name(), "contact_flat");
+  recording.call(t.contact_flat().name(), "contact_flat");
   return t;
 }
 /// The contact circle at a bilens' tight end: center as seen from there, and curvature; K of the one at its flat end.
@@ -168,14 +168,14 @@ inline Recorded_results bilens_circle(Recording& recording) {
   recording.call(circle.center().x.name(), "lens_center_x");
   recording.call(circle.center().y.name(), "lens_center_y");
   recording.call(circle.curvature.name(), "lens_curvature");
-  return {circle.center().x, circle.center().y, circle.curvature, contact_flat(t)};
+  return {circle.center().x, circle.center().y, circle.curvature, t.contact_flat()};
 }
 inline Recorded_results bilens_thickness(Recording& recording) {
   const auto t = named_bilens(recording);
   const Recorded ratio_a = t.sin_delta / t.a, ratio_b = t.sin_delta / t.b;
   const Recorded slope = 2 * t.cos_mean + ratio_a, change = slope + ratio_b, square = change * change;
   const Recorded contact = t.sin_tight + t.sin_delta * ratio_b, room = 4 * (1 - ratio_a * ratio_b);
-  const Recorded radicand = square + contact * contact_flat(t) * room, root = sqrt(radicand);
+  const Recorded radicand = square + contact * t.contact_flat() * room, root = sqrt(radicand);
   const Recorded result = Bilens::thickness(recorded_shape(recording));
   recording.call((1 - ratio_a * ratio_b).name(), "part");
   recording.call(radicand.name(), "radicand");

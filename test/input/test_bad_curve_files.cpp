@@ -233,7 +233,7 @@ std::vector<Bad_file> bad_svg_files() {
 
 void expect_reported(const Scratch_directory& scratch, const Bad_file& bad) {
   const std::string path = scratch.file(bad.name, bad.content);
-  const std::string message = message_of([&] { (void)read_curves(path); });
+  const std::string message = message_of([&] { (void)read_curve_file(path).curves; });
   EXPECT_EQ(message.find(path + ": "), 0u) << bad.name << ": " << message;
   EXPECT_NE(message.find(bad.expected), std::string::npos) << bad.name << ": " << message;
   EXPECT_EQ(message.find_first_of("\n\r\t"), std::string::npos) << bad.name;
@@ -255,7 +255,7 @@ TEST(ReadCurves, ReportsEveryBadSvgFileWithPlaceAndReason) {
 
 TEST(ReadCurves, ReportsFilesThatAreNone) {
   const Scratch_directory scratch;
-  const auto message = [](const std::string& path) { return message_of([&] { (void)read_curves(path); }); };
+  const auto message = [](const std::string& path) { return message_of([&] { (void)read_curve_file(path).curves; }); };
   const std::string missing = (scratch.path / "missing\n.json").string();
   EXPECT_NE(message(missing).find("missing\\x0A.json: file: cannot be opened: "), std::string::npos);
   EXPECT_EQ(message(scratch.path.string()), scratch.path.string() + ": file: expected a file, found a directory");
@@ -266,9 +266,10 @@ TEST(ReadCurves, ReportsFilesThatAreNone) {
 }
 
 TEST(ReadCurves, EndsAtEndlessFiles) {
-  EXPECT_NE(
-      message_of([] { (void)read_curves("/dev/zero"); }).find("/dev/zero: file: expected at most 268435456 bytes"),
-      std::string::npos);
+  EXPECT_NE(message_of([] {
+              (void)read_curve_file("/dev/zero").curves;
+            }).find("/dev/zero: file: expected at most 268435456 bytes"),
+            std::string::npos);
 }
 
 TEST(ReadCurves, BoundsDepthAndRepetitionInSvg) {
@@ -308,7 +309,8 @@ TEST(ReadCurves, TakesJsonLongerThanSvgMayBe) {
   if (bounding_arcs_test::FEW_CASES) return;
   const Scratch_directory scratch;
   const std::string space(std::size_t(65) << 20, ' ');
-  EXPECT_EQ(read_curves(scratch.file("long.json", space + bezier_with("\"name\": \"far\""))).at(0).name, "far");
+  EXPECT_EQ(read_curve_file(scratch.file("long.json", space + bezier_with("\"name\": \"far\""))).curves.at(0).name,
+            "far");
   EXPECT_NE(message_of([&] {
               (void)read_svg(space + "<line x2='1'/>");
             }).find("file: expected at most 67108864 bytes of SVG"),
@@ -328,7 +330,7 @@ TEST(ReadCurves, SurvivesDamage) {
         std::string damaged = file;
         damaged[i] = c;
         message_of([&] {
-          for (const Curve_record& record : read(damaged)) EXPECT_FALSE(bezier_pieces<double>(record).empty());
+          for (const Curve_record& record : read(damaged)) EXPECT_FALSE(record.bezier_pieces<double>().empty());
         });
       }
     }

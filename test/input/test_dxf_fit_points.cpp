@@ -34,7 +34,8 @@ TEST(DxfFitPoints, AreInterpolatedByChordLengths) {
   const Curve_file open = read_entities(head + points);
   ASSERT_EQ(open.curves.size(), 1u);
   ASSERT_EQ(open.notes.size(), 1u);
-  EXPECT_EQ(text_of(open.notes), "read all the same: 1 SPLINE: through fit points, interpolated by chord lengths");
+  EXPECT_EQ(Curve_file::text_of(open.notes),
+            "read all the same: 1 SPLINE: through fit points, interpolated by chord lengths");
   const std::vector<Bezier>& pieces = open.curves[0].beziers;
   ASSERT_EQ(pieces.size(), 3u);
   EXPECT_EQ(pieces[1].control_points().front(), (Point{3, 4}));

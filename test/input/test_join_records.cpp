@@ -20,7 +20,7 @@ Curve_file read_dxf(const std::string& entities) {
   std::string text = "0|SECTION|2|ENTITIES|" + entities + "0|ENDSEC|0|EOF|";
   for (char& c : text)
     if (c == '|') c = '\n';
-  return read_curve_file_from_text(text, "a.dxf", "a");
+  return Curve_file::from_text(text, "a.dxf", "a");
 }
 std::string line(const std::string& layer, const std::string& x0, const std::string& y0, const std::string& x1,
                  const std::string& y1) {
@@ -34,7 +34,7 @@ TEST(JoinRecords, AJoinedRecordIsAPathWithNameAndLayerOfTheFirst) {
                              "0|CIRCLE|8|0|10|2|20|1|40|0.5|" + line("Cut", "4", "3", "0", "0"));
   EXPECT_EQ(file.curves[0].layer, "Cut");
   EXPECT_EQ(file.curves[2].layer, "0");
-  const Joined_curves joined = join_records(file.curves, file.rounding);
+  const Joined_curves joined = join_curves(file.curves, file.rounding);
   ASSERT_EQ(file.curves.size(), 2u);
   EXPECT_EQ(file.curves[0].name, "Cut.1");
   EXPECT_EQ(file.curves[0].layer, "Cut");
@@ -51,7 +51,7 @@ TEST(JoinRecords, AJoinedRecordIsAPathWithNameAndLayerOfTheFirst) {
 TEST(JoinRecords, LayersGoApartAtAPlaceThatTheyShare) {
   Curve_file file = read_dxf(line("a", "0", "0", "4", "0") + line("b", "4", "0", "9", "9") +
                              line("a", "4", "0", "4", "3") + line("b", "4", "0", "5", "9"));
-  (void)join_records(file.curves, 0);
+  (void)join_curves(file.curves, 0);
   ASSERT_EQ(file.curves.size(), 2u);
   EXPECT_EQ(file.curves[0].layer, "a");
   EXPECT_EQ(file.curves[1].layer, "b");
@@ -61,14 +61,14 @@ TEST(JoinRecords, WhatAFileFillsIsJoinedOnlyWhereThatIsAskedFor) {
   const std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h8v8\"/><path d=\"M0 0v8h8\"/>"
       "<g fill=\"none\"><path d=\"M20 0h8v8\"/><path d=\"M20 0v8h8\"/></g></svg>";
-  Curve_file file = read_curve_file_from_text(svg, "a.svg", "a");
-  (void)join_records(file.curves, file.rounding, false);
+  Curve_file file = Curve_file::from_text(svg, "a.svg", "a");
+  (void)join_curves(file.curves, file.rounding, false);
   ASSERT_EQ(file.curves.size(), 3u);
   EXPECT_EQ(close_filled(file.curves), 2u);
   EXPECT_TRUE(file.curves[2].closed);
   EXPECT_TRUE(file.curves[2].y_is_down);
-  file = read_curve_file_from_text(svg, "a.svg", "a");
-  (void)join_records(file.curves, file.rounding);
+  file = Curve_file::from_text(svg, "a.svg", "a");
+  (void)join_curves(file.curves, file.rounding);
   EXPECT_EQ(file.curves.size(), 2u);
 }
 
@@ -77,12 +77,12 @@ TEST(JoinRecords, ASplineKeepsItsKnotsUnlessItIsJoined) {
       "{\"type\":\"bspline\",\"degree\":2,\"control_points\":[[0,0],[1,2],[2,0]],\"knots\":[0,0,0,5,5,5]}";
   const std::string json =
       "{\"curves\":[" + spline + ",{\"type\":\"bezier\",\"degree\":1,\"control_points\":[[2,0],[9,0]]}]}";
-  Curve_file file = read_curve_file_from_text(json, "a.json", "a");
+  Curve_file file = Curve_file::from_text(json, "a.json", "a");
   EXPECT_EQ(file.rounding, 0);
   std::vector<Curve_record> alone{file.curves[0]};
-  (void)join_records(alone, 0.1);
+  (void)join_curves(alone, 0.1);
   EXPECT_EQ(alone[0].type, Curve_record::BSPLINE);
-  (void)join_records(file.curves, 0);
+  (void)join_curves(file.curves, 0);
   ASSERT_EQ(file.curves.size(), 1u);
   EXPECT_EQ(file.curves[0].type, Curve_record::PATH);
   EXPECT_EQ(file.curves[0].degree, 2);
@@ -112,13 +112,13 @@ TEST(JoinRecords, AnglesOfFewDigitsCountForTheEndsOfTheirArcsAlone) {
                                line("0", "30", "40", "0", "0"),
                     ellipse = "0|ELLIPSE|8|0|10|30|20|15|11|5.0|21|0|40|0.5|41|0|42|3.1416|";
   Curve_file loose = read_dxf(triangle + ellipse);
-  (void)join_records(loose.curves, loose.rounding);
+  (void)join_curves(loose.curves, loose.rounding);
   ASSERT_EQ(loose.curves.size(), 2u);
   EXPECT_TRUE(loose.curves[0].closed);
   // The ellipse's own end is off by 1.8e-5, in a file whose lengths have six digits.
   const std::string half = line("0", "0.000001", "40.000000", "60", "40") + line("0", "35", "15", "25", "15.000000");
   Curve_file closed = read_dxf(half + ellipse);
-  (void)join_records(closed.curves, closed.rounding);
+  (void)join_curves(closed.curves, closed.rounding);
   ASSERT_EQ(closed.curves.size(), 2u);
   EXPECT_TRUE(closed.curves[1].closed);
 }

@@ -218,7 +218,7 @@ TEST(ReadDxf, CountsOtherKindsByTheirNames) {
                            section("OBJECTS", "0|DICTIONARY|3|a|0|LINE|10|0|20|0|11|9|21|9|");
   const Curve_file file = read_text(lines(rest + section("ENTITIES", "0|VIEWPORT|8|0|" + LINE) + "0|EOF|"));
   EXPECT_EQ(file.curves.size(), 1u);
-  EXPECT_TRUE(file.notes.empty()) << text_of(file.notes);
+  EXPECT_TRUE(file.notes.empty()) << Curve_file::text_of(file.notes);
 }
 
 // A corner of two lines, half a unit to each side: groups 41 are along miters.
@@ -243,7 +243,8 @@ TEST(ReadDxf, DrawsTheElementsOfAnMline) {
   EXPECT_FALSE(file.curves[0].closed);
   EXPECT_TRUE(read_entities(head + "71|3|" + first + rest).curves[0].closed);
   const Curve_file cut = read_entities(head + "71|1|" + vertex("11|0|21|0|", along + "13|0|23|1|", 0.5, "1|") + rest);
-  EXPECT_NE(text_of(cut.notes).find("1 MLINE: cut, read without its gaps"), std::string::npos) << text_of(cut.notes);
+  EXPECT_NE(Curve_file::text_of(cut.notes).find("1 MLINE: cut, read without its gaps"), std::string::npos)
+      << Curve_file::text_of(cut.notes);
   EXPECT_NEAR(length_of(cut), 19 + 21, NEAR);
   expect_left_out("1 MLINE: length 0", head + "71|1|" + first);
   expect_left_out("1 MLINE: no elements", head + "71|1|11|0|21|0|11|1|21|0|");
@@ -322,7 +323,7 @@ TEST(ReadDxf, LeavesOutWhatIsHidden) {
   const std::string block = "0|BLOCK|2|b|10|0|20|0|" + LINE + line_on("seen") + line_on("OFF") + "0|ENDBLK|";
   const auto found = [&](const std::string& entities, bool with_hidden = false) {
     const Curve_file file = read_text(dxf(line_on("shown") + entities, block, tables), {with_hidden, false});
-    return names_of(file) + "; " + text_of(file.notes);
+    return names_of(file) + "; " + Curve_file::text_of(file.notes);
   };
   const std::string off = "on a layer that is off", frozen = "on a frozen layer";
   EXPECT_EQ(found(line_on("off") + line_on("Off")), "shown; left out: 2 LINE: " + off);
@@ -344,7 +345,7 @@ TEST(ReadDxf, LeavesOutWhatIsHidden) {
 TEST(ReadDxf, LeavesPaperSpaceOut) {
   const auto found = [&](const std::string& entities, const std::string& blocks, bool with_paper = false) {
     const Curve_file file = read_text(dxf(line_on("model") + entities, blocks), {false, with_paper});
-    return names_of(file) + "; " + text_of(file.notes);
+    return names_of(file) + "; " + Curve_file::text_of(file.notes);
   };
   const std::string note = "model; left out: 1 LINE: in paper space";
   EXPECT_EQ(found(line_on("a", "67|1|"), ""), note);
@@ -366,7 +367,7 @@ TEST(ReadDxf, ReadsFilesWithoutTheirEnd) {
   const auto notes = [&](const std::string& text) {
     const Curve_file file = read_text(lines(text));
     EXPECT_NEAR(length_of(file), 5, NEAR) << text;
-    return text_of(file.notes);
+    return Curve_file::text_of(file.notes);
   };
   EXPECT_EQ(notes(head + "0|ENDSEC|0|EOF"), "");
   EXPECT_EQ(notes(head + "0|ENDSEC|0|EOF|garbage"), "");

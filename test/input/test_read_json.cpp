@@ -29,7 +29,7 @@ TEST(ReadJson, TakesEveryKeyOfABezier) {
   EXPECT_EQ(records[0].weights, (std::vector<double>{1, 0.5, 2}));
   EXPECT_TRUE(records[0].closed);
   EXPECT_FALSE(records[0].periodic);
-  const auto pieces = bezier_pieces<Exact>(records[0]);
+  const auto pieces = records[0].bezier_pieces<Exact>();
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_EQ(pieces[0].control_points()[2].y, Exact(0.1));
 }
@@ -54,10 +54,10 @@ TEST(ReadJson, TakesUniformPeriodicAndOpenSplines) {
                                "control_points": [[0, 0], [1, 0], [1, 1], [0, 1], [-1, 0]])";
   const auto open = read(start + "}");
   EXPECT_TRUE(open[0].uniform_knots);
-  EXPECT_EQ(bezier_pieces<double>(open[0]).size(), 2u);
+  EXPECT_EQ(open[0].bezier_pieces<double>().size(), 2u);
   const auto closed = read(start + R"(, "periodic": true})");
-  EXPECT_EQ(bezier_pieces<double>(closed[0]).size(), 5u);
-  EXPECT_EQ(bezier_pieces<Exact>(closed[0])[0].control_points()[1], (CGAL::Bounding_arcs::Xy<Exact>{1, Exact(1) / 3}));
+  EXPECT_EQ(closed[0].bezier_pieces<double>().size(), 5u);
+  EXPECT_EQ(closed[0].bezier_pieces<Exact>()[0].control_points()[1], (CGAL::Bounding_arcs::Xy<Exact>{1, Exact(1) / 3}));
 }
 
 TEST(ReadJson, KeepsOnePeriodOfUnwrappedKnots) {
@@ -65,7 +65,7 @@ TEST(ReadJson, KeepsOnePeriodOfUnwrappedKnots) {
       read(R"({"type": "bspline", "degree": 2, "periodic": true, "control_points": [[0, 0], [1, 0], [1, 1]],
                                 "knots": [-0.7, -0.4, 0, 0.1, 0.4, 0.8, 0.9, 1.2]})");
   EXPECT_EQ(records[0].knots, (std::vector<double>{0, 0.1, 0.4, 0.8}));
-  EXPECT_EQ(bezier_pieces<Exact>(records[0]).size(), 3u);
+  EXPECT_EQ(records[0].bezier_pieces<Exact>().size(), 3u);
 }
 
 TEST(ReadJson, TakesASplineWithWeightsAsRational) {
@@ -73,7 +73,7 @@ TEST(ReadJson, TakesASplineWithWeightsAsRational) {
       read(R"({"type": "bspline", "degree": 1, "control_points": [[0, 0], [1, 0]], "knots": [0, 0, 1, 1],
                                 "weights": [1, 2]})");
   EXPECT_EQ(records[0].type, Curve_record::NURBS);
-  EXPECT_EQ(bezier_pieces<double>(records[0])[0].weights(), (std::vector<double>{1, 2}));
+  EXPECT_EQ(records[0].bezier_pieces<double>()[0].weights(), (std::vector<double>{1, 2}));
 }
 
 TEST(ReadJson, TakesAByteOrderMarkAndNumbersAsTheNearestDouble) {
@@ -88,9 +88,9 @@ TEST(ReadJson, TakesEveryBundledCurve) {
   std::size_t read_files = 0;
   for (const fs::path& file : files) {
     if (file.extension() != ".json") continue;
-    const auto records = read_curves(file.string());
+    const auto records = read_curve_file(file.string()).curves;
     ASSERT_EQ(records.size(), 1u) << file;
-    EXPECT_EQ(bezier_pieces<double>(records[0]).size(), records[0].control_points.size()) << file;
+    EXPECT_EQ(records[0].bezier_pieces<double>().size(), records[0].control_points.size()) << file;
     expect_joined(records[0]);
     ++read_files;
   }
@@ -106,15 +106,16 @@ TEST(ReadJson, FindsTheKnownNumberOfPiecesOfRationalCurves) {
                                                        {"ellipse", 4},
                                                        {"hyperbola_arc", 1}};
   for (const auto& [name, pieces] : files) {
-    const auto records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "nurbs" / name).string() + ".json");
-    EXPECT_EQ(bezier_pieces<double>(records[0]).size(), pieces) << name;
+    const auto records =
+        read_curve_file((fs::path(BOUNDING_ARCS_TEST_DATA) / "nurbs" / name).string() + ".json").curves;
+    EXPECT_EQ(records[0].bezier_pieces<double>().size(), pieces) << name;
     expect_joined(records[0]);
   }
 }
 
 TEST(ReadJson, TakesTheUnitCircleExactly) {
-  const auto records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "nurbs" / "circle.json").string());
-  for (const auto& piece : bezier_pieces<Exact>(records[0])) {
+  const auto records = read_curve_file((fs::path(BOUNDING_ARCS_TEST_DATA) / "nurbs" / "circle.json").string()).curves;
+  for (const auto& piece : records[0].bezier_pieces<Exact>()) {
     const auto p = piece.point(Exact(1) / 3);
     EXPECT_EQ(Exact(p.x * p.x + p.y * p.y), Exact(1));
   }
@@ -131,7 +132,7 @@ TEST(ReadJson, IgnoresWhatElseStandsBesideAListOfCurves) {
 TEST(ReadJson, KeepsUnitLayersAndColours) {
   const std::string line = R"("type":"bezier","degree":1,"control_points":[[0,0],[1,2]])";
   const auto read = [&](const std::string& text) {
-    return CGAL::Bounding_arcs::read_curve_file_from_text(text, "file", "stem");
+    return CGAL::Bounding_arcs::Curve_file::from_text(text, "file", "stem");
   };
   const auto file = read(R"({"unit_in_mm":25.4,"curves":[{"layer":"Cut","colour":3,)" + line +
                          R"(},{"colour":"#0A80ff",)" + line + R"(}],"y_is_down":true})");

@@ -14,7 +14,7 @@ namespace {
 using namespace bounding_arcs_test;
 using CGAL::Bounding_arcs::Curve_record;
 
-Curve_file read_file(const std::string& text) { return read_curve_file_from_text(text, "in", "in"); }
+Curve_file read_file(const std::string& text) { return Curve_file::from_text(text, "in", "in"); }
 
 // Groups are written with | between codes and values.
 Records dxf(const std::string& entities, const std::string& blocks = "") {
@@ -26,7 +26,7 @@ Records dxf(const std::string& entities, const std::string& blocks = "") {
     if (c == '|') c = '\n';
   Curve_file::Options options;
   options.with_hidden = true;
-  return read_curve_file_from_text(text, "in", "in", options).curves;
+  return Curve_file::from_text(text, "in", "in", options).curves;
 }
 std::string line(const std::string& layer, const std::string& colour, const std::string& end = "3") {
   return "0|LINE|8|" + layer + "|" + colour + "10|0|20|0|11|" + end + "|21|4|";

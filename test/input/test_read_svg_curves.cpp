@@ -25,7 +25,8 @@ TEST(ReadSvg, TakesEveryFileOfTheTestData) {
       {"shapes_and_use", 9},   {"transform_origin", 24},       {"units", 13},          {"uses", 18},
       {"viewports", 24}};
   for (const auto& [name, records] : files) {
-    const auto read_records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "svg" / name).string() + ".svg");
+    const auto read_records =
+        read_curve_file((fs::path(BOUNDING_ARCS_TEST_DATA) / "svg" / name).string() + ".svg").curves;
     EXPECT_EQ(read_records.size(), records) << name;
     for (const Curve_record& record : read_records) expect_joined(record);
   }
@@ -151,7 +152,8 @@ TEST(ReadSvg, DrawsDegenerateArcsAsTheStandardSays) {
 }
 
 TEST(ReadSvg, DrawsBasicShapes) {
-  const auto records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "svg" / "shapes_and_use.svg").string());
+  const auto records =
+      read_curve_file((fs::path(BOUNDING_ARCS_TEST_DATA) / "svg" / "shapes_and_use.svg").string()).curves;
   const auto named = [&](const std::string& name) {
     for (const Curve_record& record : records)
       if (record.name == name) return record;

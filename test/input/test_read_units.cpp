@@ -15,7 +15,7 @@ namespace {
 using namespace bounding_arcs_test;
 
 double unit_of(const std::string& text) {
-  return CGAL::Bounding_arcs::read_curve_file_from_text(text, "in", "in").unit_in_mm;
+  return CGAL::Bounding_arcs::Curve_file::from_text(text, "in", "in").unit_in_mm;
 }
 
 // Groups are written with | between codes and values.

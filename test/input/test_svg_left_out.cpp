@@ -23,7 +23,7 @@ Fill_rule rule(const std::string& content) { return read_svg_file(content).rule;
 
 // The notes of a drawing that has a line beside.
 std::string notes(const std::string& content, const Curve_file::Options& options = {}) {
-  return text_of(read_svg_file("<line x2='1'/>" + content, options).notes);
+  return Curve_file::text_of(read_svg_file("<line x2='1'/>" + content, options).notes);
 }
 
 TEST(SvgFillRule, IsThatOfTheShapes) {
@@ -46,17 +46,17 @@ TEST(SvgFillRule, IsInherited) {
   EXPECT_EQ(rule("<g fill-rule='evenodd'>" + path(FRAME + " style='fill-rule:initial'") + "</g>"), NONZERO);
   EXPECT_EQ(rule("<defs>" + path(FRAME + " id='p'") + "</defs><use href='#p' fill-rule='evenodd'/>"), EVEN_ODD);
   EXPECT_EQ(rule("<symbol id='s'>" + path(FRAME) + "</symbol><use href='#s' style='fill-rule:evenodd'/>"), EVEN_ODD);
-  EXPECT_EQ(read_curve_file_from_text(svg(path(FRAME), "fill-rule='evenodd'"), "f", "f").rule, EVEN_ODD);
+  EXPECT_EQ(Curve_file::from_text(svg(path(FRAME), "fill-rule='evenodd'"), "f", "f").rule, EVEN_ODD);
 }
 
 TEST(SvgFillRule, IsThatOfMostShapesForWhichItTells) {
   const std::string odd = " fill-rule='evenodd'";
   const Curve_file frames = read_svg_file(path(FRAME) + path(FRAME + odd) + path(FRAME + odd));
   EXPECT_EQ(frames.rule, EVEN_ODD);
-  EXPECT_EQ(text_of(frames.notes), "read all the same: 1 path: has fill-rule nonzero, read as evenodd");
+  EXPECT_EQ(Curve_file::text_of(frames.notes), "read all the same: 1 path: has fill-rule nonzero, read as evenodd");
   const Curve_file stars = read_svg_file(path(STAR) + path(STAR + odd));
   EXPECT_EQ(stars.rule, NONZERO);
-  EXPECT_EQ(text_of(stars.notes), "read all the same: 1 path: has fill-rule evenodd, read as nonzero");
+  EXPECT_EQ(Curve_file::text_of(stars.notes), "read all the same: 1 path: has fill-rule evenodd, read as nonzero");
   const Curve_file one_tells = read_svg_file("<circle r='3'/><rect width='2' height='1'/>" + path(FRAME + odd));
   EXPECT_EQ(one_tells.rule, EVEN_ODD);
   EXPECT_TRUE(one_tells.notes.empty()) << "simple shapes are the same by both";
@@ -66,11 +66,13 @@ TEST(SvgFillRule, TellsOfShapesThatCrossThemselves) {
   const std::string odd_frame = path(FRAME + " fill-rule='evenodd'");
   for (const char* crossed : {"M0 -9 5 7 -9 -3 9 -3 -5 7z", "M0 0h4l-4 4h4z", "M0 0C20 10-11 10 9 0z",
                               "M5 0a5 5 0 0 1-10 0a5 5 0 0 1 10 0a5 5 0 0 1-10 0a5 5 0 0 1 10 0z"})
-    EXPECT_NE(text_of(read_svg_file(odd_frame + odd_frame + path("d='" + std::string(crossed) + "'")).notes), "")
+    EXPECT_NE(
+        Curve_file::text_of(read_svg_file(odd_frame + odd_frame + path("d='" + std::string(crossed) + "'")).notes), "")
         << crossed;
   for (const char* simple : {"M0 0h4v4h-4z", "M0 0v4h4v-4z", "M0 0L4 1 0 2 1 1z", "M5 0A5 5 0 1 1 5-.1z",
                              "M0 0h9v9h-5v-3h3v-4h-5v5h-2z", "M0 0h0h4v4h-4z", "M0 0C9 9 9 9 9 0z", "M3 3h4"})
-    EXPECT_EQ(text_of(read_svg_file(odd_frame + path("d='" + std::string(simple) + "'")).notes), "") << simple;
+    EXPECT_EQ(Curve_file::text_of(read_svg_file(odd_frame + path("d='" + std::string(simple) + "'")).notes), "")
+        << simple;
 }
 
 // What open subpaths of a drawing have inside.
@@ -103,7 +105,7 @@ TEST(SvgFilling, IsInherited) {
       (Fillings{NO_INSIDE, CLOSED}));
   EXPECT_EQ(fillings("<defs>" + path(OPEN + " id='p'") + "</defs><use href='#p' fill='none'/><use href='#p'/>"),
             (Fillings{NO_INSIDE, CLOSED}));
-  EXPECT_EQ(read_curve_file_from_text(svg(path(OPEN), "fill='none'"), "f", "f").curves[0].filling, NO_INSIDE);
+  EXPECT_EQ(Curve_file::from_text(svg(path(OPEN), "fill='none'"), "f", "f").curves[0].filling, NO_INSIDE);
 }
 
 TEST(SvgFilling, IsNothingOfALine) {
@@ -173,8 +175,7 @@ TEST(SvgLeftOut, WhatIsHiddenUnlessAskedFor) {
   EXPECT_EQ(notes(unseen), "left out: 2 line: hidden");
   EXPECT_EQ(read_svg_file(unseen).curves.size(), 1u);
   EXPECT_EQ(read_svg_file(unseen, {true, false}).curves.size(), 3u);
-  EXPECT_EQ(read_curve_file_from_text(svg("<line x2='1'/>", "display='none'"), "f", "f", {true, false}).curves.size(),
-            1u);
+  EXPECT_EQ(Curve_file::from_text(svg("<line x2='1'/>", "display='none'"), "f", "f", {true, false}).curves.size(), 1u);
   EXPECT_EQ(message_of([] { (void)read(svg("<line x2='1'/>", "display='none'")); }),
             "shape.json: line 1, column 2, <svg>: no curve in the drawing; left out: 1 svg: hidden");
 }
@@ -250,9 +251,9 @@ TEST(SvgLeftOut, StyleSheetsThatWouldMatter) {
 }
 
 TEST(SvgLeftOut, TheSizeOfADrawingThatSaysNone) {
-  const Curve_file file = read_curve_file_from_text(svg("<line x2='10%'/>", "viewBox='0 0 0 0'"), "shape.svg", "shape");
+  const Curve_file file = Curve_file::from_text(svg("<line x2='10%'/>", "viewBox='0 0 0 0'"), "shape.svg", "shape");
   EXPECT_EQ(polygon(file.curves[0])[1], (Point{30, 0}));
-  EXPECT_EQ(text_of(file.notes),
+  EXPECT_EQ(Curve_file::text_of(file.notes),
             "read all the same: 1 svg: per cent are of 300 by 150, line 1, column 2, <svg>, "
             "attribute viewBox: expected a width and a height above 0, found 0 and 0");
 }

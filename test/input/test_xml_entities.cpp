@@ -16,7 +16,7 @@ std::string with(const std::string& declarations, const std::string& content) {
   return "<!DOCTYPE svg [" + declarations + "]>\n" + svg(content);
 }
 
-Curve_file read_all(const std::string& text) { return read_curve_file_from_text(text, "shape.svg", "shape"); }
+Curve_file read_all(const std::string& text) { return Curve_file::from_text(text, "shape.svg", "shape"); }
 
 std::vector<std::string> names(const std::string& text) {
   std::vector<std::string> result;
@@ -69,7 +69,7 @@ TEST(XmlEntities, CountOnlyWhereTheyAreRead) {
 
 TEST(XmlEntities, ThatAreNotInTheFileHaveANote) {
   const auto notes = [](const std::string& declarations, const std::string& content) {
-    return text_of(read_all(with(declarations, "<line x2='1'/>" + content)).notes);
+    return Curve_file::text_of(read_all(with(declarations, "<line x2='1'/>" + content)).notes);
   };
   EXPECT_EQ(notes("<!ENTITY e SYSTEM '/etc/hostname'>", "&e;<g id='&e;'/>"),
             "left out: 2 entity: is not in this file, the first: \"e\"");

@@ -125,7 +125,7 @@ TEST(AxisBranches, AreAsFewAsCanBe) {
     const auto outer = closed_curve(random, {0, 0}, 4 + random() % 8);
     const Medial_axis_2 axis = axis_of(i % 2 == 0 ? drawing_of(outer) : both(outer, circle({0.05, 0.03}, 0.2)), 1e-3);
     ASSERT_EQ(axis.status, Status::COMPLETE);
-    const auto degrees = ba::degrees(axis);
+    const auto degrees = axis.degrees();
     if (*std::max_element(degrees.begin(), degrees.end()) > 3) continue;
     const auto odd = static_cast<std::size_t>(
         std::count_if(degrees.begin(), degrees.end(), [](std::size_t degree) { return degree % 2 == 1; }));

@@ -27,7 +27,7 @@ namespace test_axis_certificate {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Axis_certificate;
+using Axis_certificate = ba::Medial_axis_2::Certificate;
 
 Drawing bundled(const std::string& name) { return ba::read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/" + name + ".json"); }
 const std::vector<std::string>& closed_names() {
@@ -45,7 +45,7 @@ void expect_proven(const Drawing& drawing, const Medial_axis_2& axis) {
   EXPECT_TRUE(proof.is_proven());
   ASSERT_EQ(proof.edges.size(), axis.edges.size());
   for (const auto& e : proof.edges) {
-    EXPECT_EQ(e.status, Axis_certificate::Status::PROVEN) << name_of(e.reason);
+    EXPECT_EQ(e.status, Axis_certificate::Status::PROVEN) << Axis_certificate::name_of(e.reason);
     EXPECT_LE(e.bound, axis.eps);
     EXPECT_LE(e.bound, proof.bound);
   }
@@ -113,7 +113,7 @@ TEST(AxisCertificate, ProvesAVertexOfTwoEdgesThatTouchesTwoArcs) {
   const Drawing drawing = drawing_of(chain);
   const Medial_axis_2 axis = axis_of(drawing, 1e-4);
   const auto& middle = vertex_at(axis, {0, 0}, 1e-9);
-  ASSERT_EQ(ba::degrees(axis)[static_cast<std::size_t>(&middle - axis.vertices.data())], 2U);
+  ASSERT_EQ(axis.degrees()[static_cast<std::size_t>(&middle - axis.vertices.data())], 2U);
   expect_proven(drawing, axis);
 }
 
@@ -207,7 +207,7 @@ Measured measured(const ba::Bounding_arc_tree_2& curves, const ba::Maximal_discs
 // count: in front of a leaf where the curvature jumps, what is not known is small beside eps, not beside the error.
 double expect_within_twice(const Drawing& drawing, double eps, const std::string& name) {
   const auto count = static_cast<std::size_t>(cases(500));  // places on each side
-  const double rounding = 0x1p-48 * ba::coordinate_size(drawing);
+  const double rounding = 0x1p-48 * drawing.coordinate_size();
   const ba::Bounding_arc_tree_2 curves(drawing);
   const ba::Maximal_discs_2 discs(curves);
   const Medial_axis_2 axis = axis_of(drawing, eps);
@@ -250,7 +250,7 @@ TEST(AxisCertificate, HoldsMaximalDiscsBetweenALeafAndTheNextSample) {
     const ba::Maximal_discs_2 discs(curves);
     for (const double eps : {1e-3, 1e-4}) {
       const Medial_axis_2 axis = axis_of(drawing, eps);
-      const auto degrees = ba::degrees(axis);
+      const auto degrees = axis.degrees();
       for (std::size_t i = 0; i < axis.edges.size(); ++i) {
         Medial_axis_2 part = axis;
         auto& samples = part.edges[i].samples;

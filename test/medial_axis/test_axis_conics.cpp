@@ -245,8 +245,8 @@ TEST(AxisConics, OfWavyBandsStayWithinThem) {
 // The last two samples of an edge differ by rounding, and the tangents' signs once came of that.
 TEST(AxisConics, OfOneSuchBandStayWithinIt) {
   Drawing band;
-  for (const auto& record : ba::read_curves(BOUNDING_ARCS_TEST_DATA "/axis/wavy_band.json"))
-    band.add(ba::bezier_pieces<double>(record));
+  for (const auto& record : ba::read_curve_file(BOUNDING_ARCS_TEST_DATA "/axis/wavy_band.json").curves)
+    band.add(record.bezier_pieces<double>());
   const Medial_axis_2 axis = axis_of(band, 1e-3);
   ASSERT_EQ(axis.status, Status::COMPLETE);
   expect_within(axis, conics_of(band, axis, 1e-3), 6);

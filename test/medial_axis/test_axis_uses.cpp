@@ -388,7 +388,7 @@ TEST(Bisector, OfRandomCurvesTouchesBoth) {
         EXPECT_LE(from_b.lower, s.radius + 1e-12);
         EXPECT_GE(from_b.upper, s.radius - 1e-12);
         EXPECT_NEAR(ba::euclidean_norm(a.point(s.t) - s.center), s.radius, 1e-13);
-        const auto jet = ba::taylor_expansion(a, s.t, 2);
+        const auto jet = a.taylor_expansion(s.t, 2);
         const double speed = ba::euclidean_norm(jet[1]);
         EXPECT_LE(2 * cross(jet[1], jet[2]) * s.radius, std::pow(speed, 3) * (1 + 1e-12));  // none of `a` is near
       }

@@ -66,7 +66,7 @@ TEST(FramedAxis, OfTwoPointsIsTheirBisector) {
   EXPECT_NEAR(vertex_at(axis, {0, y}, 1e-12).radius, 3 - y, 1e-12);
   std::size_t count = 0;
   for (const auto& e : axis.edges) {
-    if (ba::touches(e, 2)) continue;
+    if (e.touches(2)) continue;
     ++count;
     for (const auto& s : e.samples) EXPECT_NEAR(s.center.x, 0, 1e-12);
   }

@@ -144,7 +144,7 @@ TEST(MedialAxis, HasTheLeavesOfBundledCurves) {
   for (const std::string name : {"a_wrench", "b_angelfish", "d_rabbit", "h_maple_leaf"}) {
     SCOPED_TRACE(name);
     const Drawing drawing =
-        ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"));
+        ba::drawing<double>(ba::read_curve_file(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json").curves);
     const std::size_t leaves = counted_leaves(drawing);
     for (const double eps : {1e-3, 1e-5}) {
       const Medial_axis_2 axis = axis_of(drawing, eps);

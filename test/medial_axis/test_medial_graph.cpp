@@ -52,7 +52,7 @@ TEST(MedialGraph, HasTheNumbersOfTheAxis) {
   for (std::size_t v = 0; v < axis.vertices.size(); ++v) {
     EXPECT_EQ(graph[v].point, axis.vertices[v].center);
     EXPECT_EQ(graph[v].clearance, axis.vertices[v].radius);
-    EXPECT_EQ(degree(v, graph), ba::degrees(axis)[v]);
+    EXPECT_EQ(degree(v, graph), axis.degrees()[v]);
   }
   std::vector<int> seen(axis.edges.size(), 0);
   for (const auto e : boost::make_iterator_range(edges(graph))) {

@@ -47,10 +47,10 @@ TEST(NearEqualDiscs, AreAllKeptOfManySplinesInOneFrame) {
 
 TEST(NearEqualDiscs, AreAllKeptOfASplineThatRunsAlongADisc) {
   // halves of its pieces were looked at as far as parameters could be halved
-  const Drawing drawing =
-      ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_TEST_DATA) + "/axis/fifteen_splines.json"));
+  const Drawing drawing = ba::drawing<double>(
+      ba::read_curve_file(std::string(BOUNDING_ARCS_TEST_DATA) + "/axis/fifteen_splines.json").curves);
   std::mt19937 random(7);
-  const CGAL::Bbox_2 box = ba::control_box(drawing);
+  const CGAL::Bbox_2 box = drawing.control_box();
   expect_framed(drawing, random, 0.1 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()));
 }
 

@@ -58,7 +58,7 @@ TEST(VoronoiCells, OfTheSidesOfARectangleAreTrianglesAndTrapezoids) {
   ASSERT_EQ(one.size(), 1U);
   EXPECT_TRUE(one[0].is_whole);
   EXPECT_FALSE(one[0].is_reversed);
-  EXPECT_NEAR(area_of(ba::cell_polygon(of_one, axis, one[0], 1)), 8, 1e-12);
+  EXPECT_NEAR(area_of(one[0].polygon(of_one, axis, 1)), 8, 1e-12);
   for (const auto& part : one[0].rim) EXPECT_EQ(part.beyond, 0U);
 
   for (std::size_t i = 0; i < 4; ++i) sides.add(Bezier({corners[i], corners[(i + 1) % 4]}));
@@ -66,7 +66,7 @@ TEST(VoronoiCells, OfTheSidesOfARectangleAreTrianglesAndTrapezoids) {
   const Medial_axis_2 all = framed_axis(tree, 1e-6);
   double inside[4] = {};
   for (const auto& cell : ba::voronoi_cells(tree, all)) {
-    const double area = area_of(ba::cell_polygon(tree, all, cell, 1));
+    const double area = area_of(cell.polygon(tree, all, 1));
     EXPECT_GT(area, 0);
     if (cell.curve < 4 && !cell.is_reversed) inside[cell.curve] += area;
   }
@@ -86,7 +86,7 @@ TEST(VoronoiCells, OfACircleIsItsDisc) {
   const auto cells = ba::voronoi_cells(tree, axis);
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_TRUE(cells[0].rim.empty());
-  EXPECT_NEAR(area_of(ba::cell_polygon(tree, axis, cells[0], 256)), 3.141592653589793, 1e-4);
+  EXPECT_NEAR(area_of(cells[0].polygon(tree, axis, 256)), 3.141592653589793, 1e-4);
 }
 
 const double SCALES[] = {1e-14, 1e-3, 1, 1e3, 1e5, 1e14};
@@ -105,7 +105,7 @@ struct Scaled_cells {
   }
   [[nodiscard]] double area(const Medial_axis_2::Cell& cell) const {
     std::vector<Point> polygon;
-    for (const Point& p : ba::cell_polygon(tree, axis, cell, 256)) polygon.push_back((1 / scale) * p);
+    for (const Point& p : cell.polygon(tree, axis, 256)) polygon.push_back((1 / scale) * p);
     return area_of(polygon);
   }
   // Of the cells on one side of a curve.
@@ -227,7 +227,7 @@ void expect_cells(const Drawing& framed, std::mt19937& random, int count) {
   double area = 0;
   std::map<std::pair<std::size_t, std::size_t>, int> lines;  // of edges, each from both sides
   for (const auto& cell : cells) {
-    polygons.push_back(ba::cell_polygon(tree, axis, cell, 64));
+    polygons.push_back(cell.polygon(tree, axis, 64));
     area += area_of(polygons.back());
     for (const auto& part : cell.rim)
       for (std::size_t i = (std::min)(part.first, part.last); i < (std::max)(part.first, part.last); ++i)

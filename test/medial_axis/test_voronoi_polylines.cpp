@@ -99,8 +99,8 @@ void expect_alike(const std::string& name, const Drawing& drawing) {
 
 TEST(MedialAxis, IsTheVoronoiDiagramOfFinePolylines) {
   for (const std::string name : {"a_wrench", "d_rabbit", "h_maple_leaf"})
-    expect_alike(name,
-                 ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json")));
+    expect_alike(name, ba::drawing<double>(
+                           ba::read_curve_file(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json").curves));
 }
 
 TEST(MedialAxis, IsTheVoronoiDiagramOfFinePolylinesAroundHoles) {

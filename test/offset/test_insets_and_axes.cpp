@@ -94,7 +94,8 @@ TEST(InsetsAndAxes, AgreeOnBundledCurves) {
   for (const auto& file : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA)) {
     if (file.path().extension() != ".json") continue;
     Drawing drawing;
-    for (const auto& record : ba::read_curves(file.path().string())) drawing.add(ba::bezier_pieces<double>(record));
+    for (const auto& record : ba::read_curve_file(file.path().string()).curves)
+      drawing.add(record.bezier_pieces<double>());
     const Medial_axis_2 axis = axis_of(drawing, 1e-5);
     if (axis.status != Status::COMPLETE) continue;
     SCOPED_TRACE(file.path().filename().string());

@@ -251,7 +251,7 @@ TEST(Offset, IsSoundForRandomOpenCurves) {
 TEST(Offset, OfBundledCurvesIsCertified) {
   for (const char* name : {"a_wrench", "c_letter_K", "f_crow", "h_maple_leaf"}) {
     const Drawing drawing =
-        ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"));
+        ba::drawing<double>(ba::read_curve_file(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json").curves);
     for (const double eps : {2e-4, 2e-6}) {
       const ba::Offset_source_2 source = offset_source(drawing, within(eps));
       for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
@@ -301,7 +301,7 @@ TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
   EXPECT_NEAR(area_of(against), area_of(odd), 1e-6);
   // what is made of offsets
   EXPECT_NEAR(area_of(ba::opening(ba::Bounding_arc_tree_2(pair), 0.1, 1e-6)), area(0), 1e-5);
-  const ba::Offset_bracket bracket = ba::offset_bracket(ba::Bounding_arc_tree_2(pair), -0.1, 1e-4);
+  const ba::Offset::Bounds bracket = ba::offset_bracket(ba::Bounding_arc_tree_2(pair), -0.1, 1e-4);
   EXPECT_LT(area_of(bracket.inside), area(0.1));
   EXPECT_GT(area_of(bracket.outside), area(0.1));
   EXPECT_NEAR(area_of(bracket.inside), area_of(bracket.outside), 1e-4 * 9);
@@ -384,9 +384,9 @@ TEST(Offset, OfAnOffsetTellsWhatTheFirstOneTold) {
   const ba::Bounding_arc_tree_2 tree(drawing_of(round));
   int first = 0;
   for (double eps = 1e-6; eps > 1e-12; eps /= 4) {
-    const ba::Offset_twice twice = ba::offset_twice(tree, -10, 10, eps);
-    EXPECT_GE(twice.second.status, twice.first.status) << eps;
-    first += twice.first.status == ba::Offset::Status::COMPLETE ? 0 : 1;
+    const ba::Offset inside = ba::offset(tree, -10, eps / 2);
+    EXPECT_GE(ba::opening(tree, 10, eps).status, inside.status) << eps;
+    first += inside.status == ba::Offset::Status::COMPLETE ? 0 : 1;
   }
   EXPECT_GT(first, 0);
 }

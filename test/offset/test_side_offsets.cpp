@@ -9,7 +9,7 @@
 #include "offset_checks.h"
 
 #include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
-#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ constexpr double ROUNDING = 1e-12;  // of coordinates and distances of about 1
 
 /// The unit tangent at t, seen from the right or from the left.
 Point tangent(const Bezier& bezier, double t, bool after) {
-  const Point way = ba::end_jet(bezier, t, after)->first;
+  const Point way = bezier.end_jet(t, after)->first;
   return (1 / ba::euclidean_norm(way)) * way;
 }
 
@@ -77,7 +77,7 @@ class Side_check {
     }
     for (const auto& chain : chains_)
       for (const auto& piece : chain.pieces) expect_on_side(piece);
-    const ba::Bounding_arc_tree_2 result(drawing_of(of_side), ba::Decisions::DOUBLE);
+    const ba::Bounding_arc_tree_2 result(of_side.drawing(), ba::Decisions::DOUBLE);
     for (std::size_t c = 0; c < samples_.size(); ++c)
       if (!drawing_.curves()[c].is_closed) expect_nothing_missing(c, result);
   }

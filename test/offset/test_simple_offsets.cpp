@@ -86,7 +86,7 @@ bool is_nested(const Chains& chains) {
   return true;
 }
 
-ba::Drawing_2<double> read(const std::string& file) { return ba::drawing<double>(ba::read_curves(file)); }
+ba::Drawing_2<double> read(const std::string& file) { return ba::drawing<double>(ba::read_curve_file(file).curves); }
 
 TEST(SimpleOffsets, SeesCrossings) {
   ba::Offset::Chain chain;

@@ -9,6 +9,7 @@
 #include "cases.h"
 #include "offset_checks.h"
 
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 
@@ -281,7 +282,7 @@ TEST(OffsetBracket, HasTheOffsetBetween) {
                                   : drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
     const ba::Bounding_arc_tree_2 index(drawing, ba::Decisions::DOUBLE);
     const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = k < 4 && k % 2 == 0 ? -0.125 : 0.25, size = std::fabs(d);
-    const ba::Offset_bracket bracket = ba::offset_bracket(ba::Bounding_arc_tree_2(drawing), d, eps);
+    const ba::Offset::Bounds bracket = ba::offset_bracket(ba::Bounding_arc_tree_2(drawing), d, eps);
     expect_sound(bracket.inside);
     expect_sound(bracket.outside);
     const double slack = 1e-3 * eps;
@@ -319,8 +320,9 @@ TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
     expect_sound(offset);
     ASSERT_EQ(offset.chains.size(), 1U);
     const ba::Arc_2 inner{region.from, region.to, -bulge};
-    const Drawing boundary = drawing_of(std::vector<Bezier>{
-        ba::quadratic_of(inner), segment(region.to, region.outer.joint), segment(region.outer.joint, region.from)});
+    const Drawing boundary = drawing_of(std::vector<Bezier>{ba::arc_beziers(inner.from, inner.to, inner.bulge).front(),
+                                                            segment(region.to, region.outer.joint),
+                                                            segment(region.outer.joint, region.from)});
     const ba::Bounding_arc_tree_2 index(boundary, ba::Decisions::DOUBLE);
     const auto error = ba::offset_error(index, offset, eps / 1024);
     ASSERT_TRUE(error);

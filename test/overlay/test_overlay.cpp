@@ -169,13 +169,13 @@ TEST(Overlay, TakesManyTreesAndNone) {
             (std::vector<std::vector<int>>{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}));
   for (std::uint32_t f = 1; f < cells.faces.size(); ++f) {
     const int all = cells.windings(f)[0] + cells.windings(f)[1] + cells.windings(f)[2];
-    EXPECT_TRUE(all != 3 || std::fabs(ba::face_area({&a, &b, &c}, cells, f, 1e-9).lower - 1) < 1e-15);
+    EXPECT_TRUE(all != 3 || std::fabs(cells.face_area({&a, &b, &c}, f, 1e-9).lower - 1) < 1e-15);
   }
   expect_counts(ba::overlay(std::vector<const ba::Bounding_arc_tree_2*>{}), 0, 0, 1);
   expect_counts(ba::overlay(Filtered_tree(Drawing())), 0, 0, 1);
   expect_counts(ba::overlay(a, b), 2, 4, 4);
-  EXPECT_THROW((void)ba::face_area({&a, &b, &c}, cells, 0, 1e-9), std::invalid_argument);
-  EXPECT_THROW((void)ba::face_area({&a, &b, &c}, cells, 1, -1), std::invalid_argument);
+  EXPECT_THROW((void)cells.face_area({&a, &b, &c}, 0, 1e-9), std::invalid_argument);
+  EXPECT_THROW((void)cells.face_area({&a, &b, &c}, 1, -1), std::invalid_argument);
 }
 
 // A curve that runs round itself twice has a face in which it does.

@@ -33,7 +33,6 @@ using ba::Bounding_arc_tree_2;
 using ba::Convex_hull;
 using Point = ba::Xy<double>;
 using Points = std::vector<Point>;
-using Kind = ba::Hull_piece_kind;
 
 Point at(const Bounding_arc_tree_2& index, const ba::Curve_place& place) {
   return index.in_unit().evaluator(index.in_unit().number_of_bezier(place.curve, place.bezier))(place.t).point;
@@ -44,7 +43,7 @@ Points outline(const Bounding_arc_tree_2& index, const Convex_hull<>& hull) {
   constexpr int PARTS = 256;
   for (const Convex_hull<>::Piece& p : hull.pieces) {
     points.push_back(p.from_point);
-    if (p.kind == Kind::BITANGENT) continue;
+    if (p.is_bitangent) continue;
     for (int i = 1; i < PARTS; ++i) {
       ba::Curve_place place = p.from;
       place.t += (p.to.t - p.from.t) * i / PARTS;
@@ -67,7 +66,7 @@ void expect_hull(const Bounding_arc_tree_2& index, const Convex_hull<>& hull, do
     EXPECT_LE(ba::euclidean_norm(p.to_point - next.from_point), 1e-3 * room) << name;
     EXPECT_LE(ba::euclidean_norm(at(index, p.from) - p.from_point), 1e-3 * room) << name;
     EXPECT_LE(ba::euclidean_norm(at(index, p.to) - p.to_point), 1e-3 * room) << name;
-    if (p.kind == Kind::CURVE) {
+    if (!p.is_bitangent) {
       EXPECT_EQ(p.from.curve, p.to.curve) << name;
       EXPECT_EQ(p.from.bezier, p.to.bezier) << name;
     }
@@ -97,7 +96,7 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
     const Convex_hull<> hull = ba::convex_hull(index, 1e-6 * place.scale);
     EXPECT_LE(hull.height, 1.01e-6 * place.scale + 1e-13 * std::fabs(place.y) * 100);
     expect_hull(index, hull, 5e-3 * place.scale, "drawing " + std::to_string(i));
-    for (const Convex_hull<>::Piece& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
+    for (const Convex_hull<>::Piece& p : hull.pieces) ++(p.is_bitangent ? bitangents : curves);
     if (HasFailure()) return;
   }
   EXPECT_GT(bitangents, cases(1000));
@@ -111,7 +110,7 @@ TEST(ConvexHull, OfOneCircleIsTheCircle) {
   const Convex_hull<> hull = ba::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   for (const Convex_hull<>::Piece& p : hull.pieces) {
-    EXPECT_EQ(p.kind, Kind::CURVE);
+    EXPECT_FALSE(p.is_bitangent);
     EXPECT_EQ(p.from.t, 0);
     EXPECT_EQ(p.to.t, 1);
   }
@@ -143,7 +142,7 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
     const double high = std::sqrt(3.0) / 2;
     int found = 0;
     for (const Convex_hull<>::Piece& p : hull.pieces) {
-      if (p.kind != Kind::BITANGENT) continue;
+      if (!p.is_bitangent) continue;
       ++found;
       const bool is_upper = p.from_point.y > 0;
       const Point left = is_upper ? p.to_point : p.from_point, right = is_upper ? p.from_point : p.to_point;
@@ -174,7 +173,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
   ASSERT_EQ(hull.pieces.size(), 4U);
   int bitangents = 0;
   for (const Convex_hull<>::Piece& p : hull.pieces)
-    if (p.kind == Kind::BITANGENT) {
+    if (p.is_bitangent) {
       ++bitangents;
       EXPECT_EQ(p.from_point, (Point{2, 2}));
       EXPECT_EQ(p.to_point, (Point{0, 2}));
@@ -197,7 +196,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
     ASSERT_EQ(hull.pieces.size(), 3U);
     for (const Convex_hull<>::Piece& p : hull.pieces) {
       const bool is_hollow = depth > 0 && p.from_point == Point{2, 0};
-      EXPECT_EQ(p.kind, is_hollow ? Kind::BITANGENT : Kind::CURVE);
+      EXPECT_EQ(p.is_bitangent, is_hollow);
     }
   }
 }
@@ -222,7 +221,7 @@ TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
   const Bounding_arc_tree_2 straight(line);
   const Convex_hull<> both = ba::convex_hull(straight, 0);
   ASSERT_EQ(both.pieces.size(), 2U);
-  EXPECT_EQ(both.pieces[0].kind, Kind::CURVE);
+  EXPECT_FALSE(both.pieces[0].is_bitangent);
   EXPECT_EQ(both.pieces[0].from_point, both.pieces[1].to_point);
   EXPECT_LE(ba::width(straight, 0)->width.upper, 1e-12);
   EXPECT_NEAR(ba::diameter(straight, 0)->diameter.lower, std::sqrt(18.0), 1e-12);
@@ -236,7 +235,7 @@ Real reach(const Scanned_drawing& curves, const Convex_hull<>& hull, const Vecto
     Real low = p.from.t, high = p.to.t;
     const auto at = [&](Real t) { return dot(n, curves.at_place(p.from, t)); };
     most = (std::max)({most, at(low), dot(n, widened(p.to_point))});
-    if (p.kind == Kind::BITANGENT) continue;
+    if (p.is_bitangent) continue;
     for (int step = 0; step < 80; ++step) {
       const Real left = low + (high - low) / 3, right = high - (high - low) / 3, a = at(left), b = at(right);
       most = (std::max)({most, a, b});

@@ -9,6 +9,7 @@
 #include "cases.h"
 #include "extreme_pairs.h"
 
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
@@ -188,9 +189,9 @@ TEST(ExtremePairs, HaveTheDistanceOfAnArcAboutATip) {
   const Bezier tip({{-0.13520953081144604, 0.48509511454784504},
                     {-0.52481652426686809, -0.97689780575935459},
                     {-0.056620111635532488, 0.77689466750371339}});
-  const Bezier arc = ba::quadratic_of({{-0.76496004562637743, -0.29561985529441182},
-                                       {-0.43263880835471985, -0.63120831737099337},
-                                       0.27117416103567221});
+  const Bezier arc = ba::arc_beziers({-0.76496004562637743, -0.29561985529441182},
+                                     {-0.43263880835471985, -0.63120831737099337}, 0.27117416103567221)
+                         .front();
   const Bounding_arc_tree_2 a = index_of(arc), b = index_of(tip);
   for (const double eps : {1e-6, 1e-7, 1e-9}) {
     ba::Distance_search search(a.in_unit(), b.in_unit(), eps, 0);

@@ -225,7 +225,7 @@ std::vector<Point> outline(const Bounding_arc_tree_2& index, const ba::Convex_hu
   std::vector<Point> points;
   constexpr int PARTS = 64;
   for (const ba::Convex_hull<>::Piece& p : hull.pieces)
-    for (int i = 0; i < (p.kind == ba::Hull_piece_kind::CURVE ? PARTS : 1); ++i) {
+    for (int i = 0; i < (p.is_bitangent ? 1 : PARTS); ++i) {
       const double t = p.from.t + (p.to.t - p.from.t) * i / PARTS;
       points.push_back(
           index.in_unit().evaluator(index.in_unit().number_of_bezier(p.from.curve, p.from.bezier))(t).point);

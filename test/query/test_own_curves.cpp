@@ -48,7 +48,7 @@ struct Unit_circle {
 struct Bezier_by_jets {
   const Bezier_curve_2<double>* curve;
   [[nodiscard]] End_jet_2<double> jet(double t) const {
-    const auto c = taylor_expansion(*curve, t, 2);
+    const auto c = curve->taylor_expansion(t, 2);
     return {c[0], c[1], 2.0 * c[2]};
   }
 };

@@ -37,7 +37,7 @@ using Exact = CGAL::Exact_rational;
 using Bounds = ba::Bracket;
 
 template <class Tree> constexpr bool IS_EXACT = !std::is_same_v<Tree, Double_tree>;
-template <class Tree> Tree tree_of(const Drawing& drawing) { return Tree(ba::converted<typename Tree::FT>(drawing)); }
+template <class Tree> Tree tree_of(const Drawing& drawing) { return Tree(drawing.over<typename Tree::FT>()); }
 template <class Tree> typename Tree::Point_2 point_of(double x, double y) {
   return typename Tree::Point_2(typename Tree::FT(x), typename Tree::FT(y));
 }
@@ -128,7 +128,7 @@ TEST(TreeQueries, AreNumberedThroughInAForest) {
       if (random() % 4 == 0) drawing.add(Bezier({{2, 2}, {2, 2}}));
       if (random() % 8 == 0) drawing = Drawing();
       all.add(drawing);
-      members.push_back(ba::Bounding_arc_tree_2(drawing).in_unit(ba::Unit()));
+      members.push_back(ba::Bounding_arc_tree_2(drawing).in_unit({}));
     }
     const ba::Segment_hierarchy forest(members);
     SCOPED_TRACE(i);

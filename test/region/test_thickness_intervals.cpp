@@ -64,7 +64,7 @@ void expect_encloses(const Interval& enclosure, const Box& box) {
     for (std::size_t i = 0; i < 4; ++i)
       x[i] = Exact(corner == 16 ? box.numbers[i] : (corner >> i & 1) != 0 ? box.high(i) : box.low(i));
     const auto thickness = Spiral_fat_arc::thickness(
-        convert_shape<Mpfr_interval>(shape_of(x), [](const Exact& e) { return Mpfr_interval(e, PRECISION); }));
+        shape_of(x).over<Mpfr_interval>([](const Exact& e) { return Mpfr_interval(e, PRECISION); }));
     ASSERT_GE((thickness - Mpfr_interval(Exact(enclosure.inf()), PRECISION)).certain_sign(), 0) << corner;
     ASSERT_GE((Mpfr_interval(Exact(enclosure.sup()), PRECISION) - thickness).certain_sign(), 0) << corner;
   }

@@ -25,7 +25,8 @@ using Counts = std::map<std::string, std::size_t>;
 
 template <class NT> std::size_t number_of_spirals(const Curve_record& record) {
   std::size_t count = 0;
-  for (const Bezier_curve_2<NT>& piece : bezier_pieces<NT>(record)) count += spiral_parameters(piece).breaks.size() + 1;
+  for (const Bezier_curve_2<NT>& piece : record.bezier_pieces<NT>())
+    count += spiral_parameters(piece).breaks.size() + 1;
   return count;
 }
 
@@ -33,7 +34,7 @@ template <class NT> Counts counts_in(const std::string& directory) {
   Counts counts;
   for (const auto& file : std::filesystem::directory_iterator(directory))
     if (file.path().extension() == ".json")
-      for (const Curve_record& record : read_curves(file.path().string()))
+      for (const Curve_record& record : read_curve_file(file.path().string()).curves)
         counts[record.name] = number_of_spirals<NT>(record);
   return counts;
 }

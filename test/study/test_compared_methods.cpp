@@ -66,7 +66,7 @@ template <class Construction> void expect_tight(double share) {
   for (int k = 0; k < 20; ++k) {
     const double width = std::ldexp(0.5, -k);
     const auto shape = spiral.accurate_shape(0.25, 0.25 + width, shape_parts<Construction>());
-    const auto outline = Construction::boundary(frame_at_origin(shape));
+    const auto outline = Construction::boundary(shape.at_origin());
     ASSERT_EQ(outline.form, Outline_form::STRIP);
     const auto curve = study::control_polynomials(shape);
     double nearest = 1;  // of the distances to the outer side, over the thickness

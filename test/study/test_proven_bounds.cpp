@@ -57,7 +57,7 @@ constexpr Shape_parts PARTS{true, false};
 
 // With 11 bits more, which do for errors of doubles.
 Chord_shape_2<long double> exact_shape(const Piece& p) {
-  return convert_shape<long double>(p.spiral.shape<Exact>(p.t0, p.t1, PARTS), [](const Exact& x) {
+  return p.spiral.shape<Exact>(p.t0, p.t1, PARTS).over<long double>([](const Exact& x) {
     const Double_double d = to_double_double(x);
     return static_cast<long double>(d.hi) + d.lo;
   });

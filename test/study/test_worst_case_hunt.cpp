@@ -52,11 +52,11 @@ TEST(WorstCaseHunt, NeedsAFigure) {
 
 // Found by `bounding_arcs stability --hunt-steps`; names tell the figure and its error then.
 TEST(WorstCases, ThatWereFoundKeepThePromise) {
-  const auto records = read_curves(BOUNDING_ARCS_TEST_DATA "/study/worst_cases.json");
+  const auto records = read_curve_file(BOUNDING_ARCS_TEST_DATA "/study/worst_cases.json").curves;
   EXPECT_GE(records.size(), 11u);
   double worst = 0;
   for (const Curve_record& record : records) {
-    const auto spiral = spiral_holding(bezier_pieces<double>(record).front(), record.part[0], record.part[1]);
+    const auto spiral = spiral_holding(record.bezier_pieces<double>().front(), record.part[0], record.part[1]);
     ASSERT_TRUE(spiral) << record.name;
     for (const Stability_row& row :
          stability_rows(*spiral, record.part[0], record.part[1],

@@ -21,7 +21,7 @@ struct Sagitta {
 
   /// The height of the arc: half the chord times the larger tan(alpha/2).
   template <class NT> [[nodiscard]] static NT thickness(const CGAL::Bounding_arcs::Chord_shape_2<NT>& f) {
-    const auto angles = chord_angles(f);
+    const auto angles = f.angles();
     const NT bulge = f.tight_first ? angles.bulge0 : angles.bulge1;
     using CGAL::abs;
     return NT(f.unit * angles.chord * abs(bulge) / NT(2));

@@ -47,7 +47,7 @@ inline Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
 }
 
 inline std::size_t leaves_of(const Medial_axis_2& axis) {
-  const auto all = ba::degrees(axis);
+  const auto all = axis.degrees();
   return static_cast<std::size_t>(std::count(all.begin(), all.end(), 1U));
 }
 // The vertex at a point. It has to be there.

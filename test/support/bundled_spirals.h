@@ -26,9 +26,9 @@ inline const std::vector<Bundled_curve>& bundled_curves() {
     std::vector<Bundled_curve> curves;
     for (const auto& file : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA)) {
       if (file.path().extension() != ".json") continue;
-      for (const auto& record : CGAL::Bounding_arcs::read_curves(file.path().string())) {
+      for (const auto& record : CGAL::Bounding_arcs::read_curve_file(file.path().string()).curves) {
         curves.push_back({record.name, {}});
-        for (const auto& piece : CGAL::Bounding_arcs::bezier_pieces<double>(record))
+        for (const auto& piece : record.bezier_pieces<double>())
           for (const auto& s : CGAL::Bounding_arcs::spiral_segments(piece)) curves.back().spirals.push_back(s);
       }
     }

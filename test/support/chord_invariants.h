@@ -65,8 +65,7 @@ CGAL::Bounding_arcs::End_jet_2<NT> end_jet(const CGAL::Bounding_arcs::Bezier_cur
 inline CGAL::Bounding_arcs::Chord_frame_2<CORE::Expr> convert_frame(
     const CGAL::Bounding_arcs::Chord_frame_2<CGAL::Exact_rational>& frame) {
   using CGAL::Bounding_arcs::convert;
-  return {convert<CORE::Expr>(frame.p0), convert<CORE::Expr>(frame.p1),
-          CGAL::Bounding_arcs::convert_shape<CORE::Expr>(frame.shape)};
+  return {convert<CORE::Expr>(frame.p0), convert<CORE::Expr>(frame.p1), frame.shape.over<CORE::Expr>()};
 }
 
 }  // namespace bounding_arcs_test

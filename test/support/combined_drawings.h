@@ -89,17 +89,17 @@ struct Combined {
   Outline_2 outline;
   Drawing rounded;   // curve i is chain i
   double moved = 0;  // by how much that is off
-  ba::Drawn_outline drawn;
+  ba::Outline_2::Drawn drawn;
 };
 template <class Tree> Combined combined(const Drawing& a, const Drawing& b, const Operation& how) {
   return told(words_of(how), a, b, [&] {
     using FT = typename Tree::FT;
     return timed([&] {
-      const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
+      const Tree tree_a(a.over<FT>()), tree_b(b.over<FT>());
       Combined made{outline_of(tree_a, tree_b, how), {}, 0, {}};
       if (made.outline.status == ba::Outline_2::Status::UNDECIDED) throw Fault("undecided", "no outline");
       if (made.outline.status != ba::Outline_2::Status::COMPLETE) throw Fault("incomplete", "another status");
-      made.rounded = ba::outline_drawing({&tree_a, &tree_b}, made.outline);
+      made.rounded = ba::drawn_outline({&tree_a, &tree_b}, made.outline, {false}).drawing;
       made.moved = ba::drawn_outline({&tree_a, &tree_b}, made.outline, {false}).moved;
       made.drawn = ba::drawn_outline({&tree_a, &tree_b}, made.outline);
       return made;

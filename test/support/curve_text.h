@@ -21,13 +21,10 @@
 
 namespace bounding_arcs_test {
 
-using CGAL::Bounding_arcs::bezier_pieces;
 using CGAL::Bounding_arcs::Curve_file;
 using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::Input_error;
-using CGAL::Bounding_arcs::read_curve_file_from_text;
-using CGAL::Bounding_arcs::read_curves;
-using CGAL::Bounding_arcs::read_curves_from_text;
+using CGAL::Bounding_arcs::read_curve_file;
 using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<double>;
 using Exact = CGAL::Exact_rational;
 using Point = CGAL::Bounding_arcs::Xy<double>;
@@ -36,7 +33,7 @@ using Records = std::vector<Curve_record>;
 namespace fs = std::filesystem;
 
 // Both readers by way of their text; "shape" is the stem of the file.
-inline Records read(const std::string& text) { return read_curves_from_text(text, "shape.json", "shape"); }
+inline Records read(const std::string& text) { return Curve_file::from_text(text, "shape.json", "shape").curves; }
 
 inline std::string svg(const std::string& content, const std::string& attributes = "") {
   return "<svg xmlns='http://www.w3.org/2000/svg' " + attributes + ">" + content + "</svg>";
@@ -44,7 +41,7 @@ inline std::string svg(const std::string& content, const std::string& attributes
 
 // A drawing with all that its reader says of it.
 inline Curve_file read_svg_file(const std::string& content, const Curve_file::Options& options = {}) {
-  return read_curve_file_from_text(svg(content), "shape.json", "shape", options);
+  return Curve_file::from_text(svg(content), "shape.json", "shape", options);
 }
 
 inline Records read_svg(const std::string& content) { return read(svg(content)); }
@@ -74,7 +71,7 @@ inline Points polygon(const Curve_record& record) {
 }
 
 inline void expect_joined(const Curve_record& record) {
-  const auto pieces = bezier_pieces<double>(record);
+  const auto pieces = record.bezier_pieces<double>();
   for (std::size_t i = 1; i < pieces.size(); ++i)
     EXPECT_EQ(std::memcmp(&pieces[i].control_points().front(), &pieces[i - 1].control_points().back(), sizeof(Point)),
               0)

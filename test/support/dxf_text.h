@@ -32,7 +32,7 @@ inline std::string dxf(const std::string& entities, const std::string& blocks = 
   return lines(section("TABLES", tables) + section("BLOCKS", blocks) + section("ENTITIES", entities) + "0|EOF|");
 }
 inline Curve_file read_text(const std::string& text, const Curve_file::Options& options = {}) {
-  return CGAL::Bounding_arcs::read_curve_file_from_text(text, "in.dxf", "in", options);
+  return CGAL::Bounding_arcs::Curve_file::from_text(text, "in.dxf", "in", options);
 }
 inline Curve_file read_entities(const std::string& entities, const std::string& blocks = "") {
   return read_text(dxf(entities, blocks));
@@ -65,7 +65,7 @@ inline const std::string VERTEX = "0|VERTEX|8|0|";
 inline void expect_length(double length, const std::string& entity, const std::string& notes = "") {
   const Curve_file file = read_entities(entity + BESIDE);
   EXPECT_NEAR(length_of(file), length + 5, NEAR) << entity;
-  EXPECT_EQ(text_of(file.notes), notes) << entity;
+  EXPECT_EQ(Curve_file::text_of(file.notes), notes) << entity;
   EXPECT_EQ(file.rule, Fill_rule::EVEN_ODD);
   for (const Curve_record& record : file.curves) expect_joined(record);
 }
@@ -73,7 +73,7 @@ inline void expect_length(double length, const std::string& entity, const std::s
 inline void expect_left_out(const std::string& note, const std::string& entity, const std::string& blocks = "") {
   const Curve_file file = read_entities(entity + BESIDE, blocks);
   EXPECT_NEAR(length_of(file), 5, NEAR) << entity;
-  EXPECT_EQ(text_of(file.notes), "left out: " + note) << entity;
+  EXPECT_EQ(Curve_file::text_of(file.notes), "left out: " + note) << entity;
   const std::string message = message_of([&] { (void)read_entities(entity, blocks); });
   EXPECT_EQ(message, "in.dxf: file: no curve in the drawing; left out: " + note);
 }

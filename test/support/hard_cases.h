@@ -78,7 +78,7 @@ inline std::vector<Hard_case> hard_cases(const Case_placing& at) {
     c.at = at;
     c.expected = document.at("expected");
     c.first = document.at("first").get<std::size_t>();
-    c.records = ba::read_curves(file.string());
+    c.records = ba::read_curve_file(file.string()).curves;
     const auto middle = c.records.begin() + static_cast<std::ptrdiff_t>(c.first);
     const bool is_exact = place(ba::drawing<double>({c.records.begin(), middle}), at, c.a) &&
                           place(ba::drawing<double>({middle, c.records.end()}), at, c.b) &&

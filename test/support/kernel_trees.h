@@ -25,7 +25,7 @@ class Tree_over : public CGAL::Bounding_arcs::Bounding_arc_tree_2 {
 
   template <class Curves> explicit Tree_over(const Curves& curves) : Bounding_arc_tree_2(curves, DECISIONS) {}
   explicit Tree_over(const CGAL::Bounding_arcs::Drawing_2<double>& drawing)
-      : Bounding_arc_tree_2(CGAL::Bounding_arcs::converted<FT>(drawing), DECISIONS) {}
+      : Bounding_arc_tree_2(drawing.over<FT>(), DECISIONS) {}
 };
 using Double_tree = Tree_over<CGAL::Simple_cartesian<double>, CGAL::Bounding_arcs::Decisions::DOUBLE>;
 using Filtered_tree =

@@ -130,7 +130,7 @@ inline Digits_point digits_point(const CGAL::Bounding_arcs::Arr_point_2& p) {
 }
 
 /// The y of a part at an x in its range, by Newton's method and, where that leaves what is known, by halving.
-inline Many_digits digits_y(const CGAL::Bounding_arcs::Arr_x_monotone_curve_2& c, const Many_digits& x) {
+inline Many_digits digits_y(const CGAL::Bounding_arcs::Arr_curve_2::Part& c, const Many_digits& x) {
   const auto& bezier = c.data()->bezier();
   Many_digits low = c.left_parameter().lower, high = c.right_parameter().upper;  // left and right of x
   if (!c.is_rising()) low = c.left_parameter().upper, high = c.right_parameter().lower;

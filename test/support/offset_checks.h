@@ -155,7 +155,7 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
   options.rule = rule;
   const Offset outline = offset_source(drawing, options).outline();
   expect_sound(outline);
-  const ba::Bounding_arc_tree_2 of_outline(drawing_of(outline), ba::Decisions::DOUBLE);
+  const ba::Bounding_arc_tree_2 of_outline(outline.drawing(), ba::Decisions::DOUBLE);
   const auto from_outline = ba::offset_error(of_outline, offset, eps / 16);
   ASSERT_TRUE(from_outline);
   EXPECT_GE(from_outline->nearest.lower, -most);

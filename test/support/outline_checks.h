@@ -31,7 +31,7 @@
 
 namespace bounding_arcs_test {
 
-using ba::Boolean_operation;
+using Boolean_operation = ba::Outline_2::Operation;
 using ba::Fill_rule;
 using ba::Fill_rules;
 using ba::Outline_2;
@@ -180,7 +180,7 @@ inline void expect_outline(const Operands& operands, Boolean_operation operation
   for (const auto& chain : outline.chains)
     for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
       ASSERT_EQ(chain.parts[i].end, chain.parts[(i + 1) % n].start) << name;
-  const Drawing drawing = ba::outline_drawing(operands.trees(), outline);
+  const Drawing drawing = ba::drawn_outline(operands.trees(), outline, {false}).drawing;
   const ba::Bounding_arc_tree_2 hierarchy(drawing);
   const ba::Point_location_2 location(hierarchy);
   CGAL::Bbox_2 box;

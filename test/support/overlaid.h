@@ -58,7 +58,7 @@ class Overlaid {
   [[nodiscard]] const Overlay_2& cells() const { return cells_; }
   [[nodiscard]] const std::vector<Drawing>& drawings() const { return drawings_; }
   [[nodiscard]] ba::Measure_bounds area(std::uint32_t face, double eps) const {
-    return ba::face_area(pointers_, cells_, face, eps);
+    return cells_.face_area(pointers_, face, eps);
   }
   [[nodiscard]] std::vector<double> areas(double eps = 1e-12) const {
     std::vector<double> result;

@@ -299,11 +299,11 @@ class Checked_outline {
   }
   // Points that are farther from the outline than it was moved are on the same side of what is drawn.
   void check_drawn(std::mt19937& random, Asked_points& asked) const {
-    const ba::Drawn_outline& drawn = made_.drawn;
+    const ba::Outline_2::Drawn& drawn = made_.drawn;
     double size = 0;
     for (const Drawing* drawing : operands_)
       for (const auto& curve : drawing->curves())
-        for (const Bezier& b : curve.beziers) size = (std::max)(size, ba::coordinate_size(b));
+        for (const Bezier& b : curve.beziers) size = (std::max)(size, b.coordinate_size());
     if (!(drawn.moved <= 8 * made_.moved + 0x1p-36 * size)) throw Fault("drawn", "moved by more than rounding does");
     if (drawn.drawing.curves().size() != drawn.outline.chains.size()) throw Fault("drawn", "not one curve a chain");
     const ba::Bounding_arc_tree_2 tree(drawn.drawing);

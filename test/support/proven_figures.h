@@ -29,7 +29,7 @@ template <class NT> using Figures = std::map<std::string, Figure<NT>>;
 /// \pre the shape is proper, with its tight end first
 template <class NT> Figures<NT> frame_figures(const CGAL::Bounding_arcs::Chord_shape_2<NT>& f) {
   using namespace CGAL::Bounding_arcs;
-  const Chord_angles_2<NT> g = chord_angles(f);
+  const Chord_angles_2<NT> g = f.angles();
   const Tight_frame_2<NT> t = tight_frame(f);
   Chord_frame_2<NT> frame;
   frame.shape = f;
@@ -44,7 +44,7 @@ template <class NT> Figures<NT> frame_figures(const CGAL::Bounding_arcs::Chord_s
           {"d1", NT(g.length1 * g.chord + dot(f.tangent1, f.chord))},
           {"bulge0", g.bulge0},
           {"bulge1", g.bulge1},
-          {"change", bulge_change(f, g.length0, g.length1, g.chord)},
+          {"change", f.bulge_change(g.length0, g.length1, g.chord)},
           {"thickness", Bca::thickness(f)},
           {"center_x", {center.x, radius}},
           {"center_y", {center.y, radius}},
@@ -59,7 +59,7 @@ template <class NT> Figures<NT> frame_figures(const CGAL::Bounding_arcs::Chord_s
           {"b", t.b},
           {"ratio_a", NT(t.sin_delta / t.a)},
           {"ratio_b", NT(t.sin_delta / t.b)},
-          {"contact_flat", contact_flat(t)},
+          {"contact_flat", t.contact_flat()},
           {"lens_curvature", lens_circle.curvature},
           {"lens_center_x", {lens_center.x, lens_radius}},
           {"lens_center_y", {lens_center.y, lens_radius}},
@@ -79,7 +79,7 @@ Figures<NT> arc_figures(const CGAL::Bounding_arcs::Xy<NT>& q, const CGAL::Boundi
 
 /// \pre coordinates are at most 1
 template <class NT> Figures<NT> cubic_figures(const CGAL::Bounding_arcs::Xy<NT>* points, const NT& t) {
-  const auto jet = CGAL::Bounding_arcs::cubic_jet(points, t);
+  const auto jet = CGAL::Bounding_arcs::Bezier_evaluator::cubic_jet(points, t);
   NT largest = 0;
   for (int i = 0; i < 4; ++i) largest = (std::max)(largest, NT(std::fabs(points[i].x)));
   return {{"point", {jet.point.x, largest}}, {"first", {jet.first.x, largest}}, {"second", {jet.second.x, largest}}};

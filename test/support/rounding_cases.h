@@ -85,9 +85,9 @@ inline std::optional<std::pair<Figures<double>, Figures<long double>>> figures(c
   if (!shape.proper || !shape.tight_first || !shape.turns_one_way || shape.turn < 0 || shape.curvature1 < 0 ||
       shape.sine_change <= 0)
     return std::nullopt;
-  const auto f = convert_shape<double>(shape, [](const Exact& y) { return static_cast<double>(longer(y)); });
-  const auto g = convert_shape<long double>(shape, [](const Exact& y) { return longer(y); });
-  const auto angles = chord_angles(g);
+  const auto f = shape.over<double>([](const Exact& y) { return static_cast<double>(longer(y)); });
+  const auto g = shape.over<long double>([](const Exact& y) { return longer(y); });
+  const auto angles = g.angles();
   const auto t = tight_frame(g);
   // right angles in all, as those of spirals; r_a r_b at most 1/4, as of short pieces
   if (!tight_frame(f).usable || !t.usable || angles.bulge0 * angles.bulge1 + angles.bulge0 + angles.bulge1 > 1 ||

@@ -16,7 +16,7 @@ using namespace CGAL::Bounding_arcs;
 int main(int argc, char** argv) try {
   for (int i = 1; i < argc; ++i) {
     nlohmann::json curves = nlohmann::json::array();
-    for (const Curve_record& record : read_curves(argv[i])) {
+    for (const Curve_record& record : read_curve_file(argv[i]).curves) {
       nlohmann::json pieces = nlohmann::json::array();
       for (const Bezier_curve_2<double>& bezier : record.beziers) {
         nlohmann::json points = nlohmann::json::array();

@@ -34,7 +34,7 @@ double distance_from(const ba::Bounding_arc_tree_2& tree, const Xy<double>& p) {
   return ba::closest_point(tree, p)->distance.upper;
 }
 ba::Bounding_arc_tree_2 tree_of(const std::string& file) {
-  return ba::Bounding_arc_tree_2(ba::drawing<double>(ba::read_curves(file)));
+  return ba::Bounding_arc_tree_2(ba::drawing<double>(ba::read_curve_file(file).curves));
 }
 std::string text_of(const std::string& arguments) {
   const Run run = run_tool(arguments + " --format gcode 2> /dev/null");

@@ -23,8 +23,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using CGAL::Bounding_arcs::Bezier_curve_2;
-using CGAL::Bounding_arcs::bezier_pieces;
-using CGAL::Bounding_arcs::read_curves;
+using CGAL::Bounding_arcs::read_curve_file;
 using nlohmann::json;
 using Point = CGAL::Bounding_arcs::Xy<double>;
 
@@ -158,12 +157,12 @@ void expect_build(const std::string& file, const std::string& method, const std:
   EXPECT_EQ(document.at("method"), method);
   EXPECT_EQ(document.at("kernel"), kernel);
   EXPECT_EQ(document.at("eps"), eps);
-  const auto records = read_curves(file);
+  const auto records = read_curve_file(file).curves;
   ASSERT_EQ(document.at("curves").size(), records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     const json& curve = document.at("curves")[i];
     expect_keys(curve, {"name", "beziers", "spirals", "regions"});
-    const auto beziers = bezier_pieces<double>(records[i]);
+    const auto beziers = records[i].bezier_pieces<double>();
     EXPECT_EQ(curve.at("name"), records[i].name);
     EXPECT_EQ(curve.at("beziers"), beziers.size());
     expect_regions(curve, beziers, eps);

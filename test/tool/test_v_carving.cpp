@@ -63,7 +63,7 @@ TEST(VCarving, TouchesTheCurvesAllAlong) {
     ASSERT_EQ(carved.status, 0);
     const Gcode_run run = run_gcode(carved.output);
     EXPECT_EQ(run.refused, "");
-    const ba::Bounding_arc_tree_2 tree(ba::drawing<double>(ba::read_curves(file)));
+    const ba::Bounding_arc_tree_2 tree(ba::drawing<double>(ba::read_curve_file(file).curves));
     // the command line has six digits of angle and depth
     const double room = eps + 1e-5 * (1 + steep), radius = most / steep;
     double carved_length = 0;

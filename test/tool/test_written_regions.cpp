@@ -61,9 +61,9 @@ struct Written {
 // Of one curve a file.
 Written expect_proven(const std::string& file, const std::string& method, const std::string& options) {
   const json document = json_of("build --certified --method " + method + ' ' + options + ' ' + file);
-  const auto records = ba::read_curves(file);
+  const auto records = ba::read_curve_file(file).curves;
   ba::Drawing_2<double> drawing;
-  drawing.add(ba::bezier_pieces<double>(records.front()), "curve");
+  drawing.add(records.front().bezier_pieces<double>(), "curve");
   const std::vector<Spiral> spirals = ba::spiral_segments(drawing);
   Written written;
   for (const json& region : document.at("curves").at(0).at("regions")) {

@@ -45,21 +45,15 @@ std::vector<Bezier_curve_2<double>> bundled_curves() {
   std::vector<Bezier_curve_2<double>> curves;
   for (const auto& entry : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA))
     if (entry.path().extension() == ".json")
-      for (const auto& record : read_curves(entry.path().string()))
-        for (const auto& piece : bezier_pieces<double>(record)) curves.push_back(piece);
+      for (const auto& record : read_curve_file(entry.path().string()).curves)
+        for (const auto& piece : record.bezier_pieces<double>()) curves.push_back(piece);
   return curves;
-}
-
-template <class NT> Bezier_curve_2<NT> converted(const Bezier_curve_2<double>& curve) {
-  std::vector<Xy<NT>> points;
-  for (const auto& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
-  return Bezier_curve_2<NT>(points, std::vector<NT>(curve.weights().begin(), curve.weights().end()));
 }
 
 template <class NT> std::vector<Bezier_spiral_2<NT>> all_spirals(const std::vector<Bezier_curve_2<double>>& curves) {
   std::vector<Bezier_spiral_2<NT>> spirals;
   for (const auto& curve : curves)
-    for (auto& s : spiral_segments(converted<NT>(curve))) spirals.push_back(std::move(s));
+    for (auto& s : spiral_segments(curve.over<NT>())) spirals.push_back(std::move(s));
   return spirals;
 }
 

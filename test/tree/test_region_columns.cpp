@@ -31,7 +31,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Build_options;
-using ba::Instruction_set;
+using Instruction_set = ba::Build_options::Instruction_set;
 using ba::Node_handle;
 using ba::Region_columns;
 
@@ -242,7 +242,7 @@ template <class Traits> void expect_thin(const Bezier& curve, double eps) {
   tree.for_each_leaf([&](const Node_handle& h) {
     const std::uint32_t spiral = tree.node(h).spiral;
     const ba::Arc_region_2 r = columns.region(leaf++ + spiral, spiral);  // a row more a segment, for its end
-    EXPECT_TRUE(is_finite(r));
+    EXPECT_TRUE(r.is_finite());
     if (r.inner.size == 2 || r.outer.size == 2) return;
     const double thickness = std::hypot(r.to.x - r.from.x, r.to.y - r.from.y) / 2 *
                              std::fabs(r.inner.bulges[0] - r.outer.bulges[0]);  // in the middle

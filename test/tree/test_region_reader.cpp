@@ -24,7 +24,7 @@ namespace {
 using namespace bounding_arcs_test;
 using ba::Arc_region_2;
 using ba::Build_options;
-using ba::Instruction_set;
+using Instruction_set = ba::Build_options::Instruction_set;
 using ba::Node_handle;
 
 template <class Traits> using Tree = ba::Region_hierarchy_2<Traits, Spiral>;

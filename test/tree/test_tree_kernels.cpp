@@ -24,17 +24,11 @@ using Rational = Circular<CGAL::Simple_cartesian<Exact>>;
 using Lazy = Circular<CGAL::Exact_predicates_exact_constructions_kernel>;
 using Roots = Circular<CGAL::Simple_cartesian<CORE::Expr>>;
 
-template <class NT> Bezier_curve_2<NT> converted(const Bezier& curve) {
-  std::vector<Xy<NT>> points;
-  for (const Point& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
-  return Bezier_curve_2<NT>(points, std::vector<NT>(curve.weights().begin(), curve.weights().end()));
-}
-
 using Splits = std::vector<std::pair<double, double>>;
 
 // The parameters of all nodes, which say where every split was made.
 template <class Traits, class NT = typename Traits::FT> Splits splits(const Bezier& curve, double eps) {
-  const Region_hierarchy_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(converted<NT>(curve)), eps);
+  const Region_hierarchy_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(curve.over<NT>()), eps);
   EXPECT_LE(tree.bound(), eps);
   Splits parameters;
   tree.traverse([&](const auto& h) {
@@ -88,7 +82,7 @@ TEST(BilensTreeOverKernels, SplitsAlikeWhereverDecisionsAreExact) {
 TEST(TreeOverKernels, TellsTheThicknessFromTheNearestTolerances) {
   const Bezier parabola({{0, 0}, {0.5, 0}, {1, 1}});
   const auto thickness = [&] {
-    const auto spiral = spiral_segments(converted<CORE::Expr>(parabola)).front();
+    const auto spiral = spiral_segments(parabola.over<CORE::Expr>()).front();
     return Bca::thickness(spiral.shape<CORE::Expr>(0, 1));
   }();
   const double below = CGAL::to_interval(thickness).first, above = CGAL::to_interval(thickness).second;

@@ -35,7 +35,8 @@ Drawing bundled(const std::string& name) { return ba::read_drawing(BOUNDING_ARCS
 void expect_right(const Drawing& drawing, const Medial_axis_2& axis, const Axis_verification::Options& options = {}) {
   const Axis_verification v = ba::verify_axis(drawing, axis, options);
   EXPECT_TRUE(v.is_right());
-  for (const auto& f : v.findings) ADD_FAILURE() << name_of(f.fault) << ' ' << f.place << ' ' << f.amount;
+  for (const auto& f : v.findings)
+    ADD_FAILURE() << ba::Axis_verification::name_of(f.fault) << ' ' << f.place << ' ' << f.amount;
   EXPECT_EQ(v.edges, axis.edges.size());
   EXPECT_EQ(v.tiles, 2 * (v.samples - v.edges));
 }
@@ -179,7 +180,7 @@ class BrokenAxis : public testing::Test {
         std::max_element(axis_.edges.begin(), axis_.edges.end(),
                          [](const auto& e, const auto& f) { return e.samples.size() < f.samples.size(); }) -
         axis_.edges.begin());
-    const auto all = ba::degrees(axis_);
+    const auto all = axis_.degrees();
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i] == 1) leaves_.push_back(i);
   }
@@ -195,7 +196,7 @@ class BrokenAxis : public testing::Test {
     for (const Axis_verification::Fault fault : faults) {
       const bool is_found =
           std::any_of(v.findings.begin(), v.findings.end(), [fault](const auto& f) { return f.fault == fault; });
-      EXPECT_TRUE(is_found) << "no " << name_of(fault);
+      EXPECT_TRUE(is_found) << "no " << ba::Axis_verification::name_of(fault);
     }
   }
   ba::Medial_axis_2::Sample& middle(Medial_axis_2& axis) const { return axis.edges[longest_].samples[MIDDLE]; }

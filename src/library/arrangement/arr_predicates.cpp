@@ -54,7 +54,7 @@ Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q) {
 namespace {
 
 /// The y of a part at an x that is somewhere in a range, in doubles around it; the whole line where they fail.
-[[nodiscard]] Bracket y_at(const Arr_x_monotone_curve_2& c, const Bracket& x) {
+[[nodiscard]] Bracket y_at(const Arr_curve_2::Part& c, const Bracket& x) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   const Bezier_evaluator& curve = c.data()->evaluator();
   const double way = c.is_rising() ? 1 : -1, error = curve.point_error();
@@ -96,7 +96,7 @@ namespace {
 
 /// The y of a part's branch at an x in a range, in a range that shrinks with it.
 /// \return nothing where the range is too wide
-[[nodiscard]] std::optional<Exact_range> exact_y_at(const Arr_x_monotone_curve_2& c, const Exact_range& x, int bits) {
+[[nodiscard]] std::optional<Exact_range> exact_y_at(const Arr_curve_2::Part& c, const Exact_range& x, int bits) {
   const Integer_piece& piece = c.data()->exact().piece();
   const auto range_of_parameter = [bits](const Exact_parameter& t) {
     t.refine_to(bits);
@@ -124,14 +124,14 @@ namespace {
 }
 
 /// The place of a point on the branch that a part is of, if the point is known to be there.
-[[nodiscard]] const Arranged_place* known_place(const Arr_point_2& p, const Arr_x_monotone_curve_2& c) {
+[[nodiscard]] const Arranged_place* known_place(const Arr_point_2& p, const Arr_curve_2::Part& c) {
   for (const Arranged_place& place : p.data()->places)
     if (place.curve == c.data()->number() && place.branch == c.branch()) return &place;
   return nullptr;
 }
 
 /// Whether a point of the branch that a part is of is on the part, at its parameter on the curve.
-[[nodiscard]] bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c) {
+[[nodiscard]] bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_curve_2::Part& c) {
   const Bracket &first = c.is_rising() ? c.left_parameter() : c.right_parameter(),
                 &last = c.is_rising() ? c.right_parameter() : c.left_parameter();
   if (t.upper < first.lower || last.upper < t.lower) return false;
@@ -140,7 +140,7 @@ namespace {
 }
 
 /// Where the branch of a part runs through a point, if it does.
-[[nodiscard]] const Arranged_place* place_on(const Arr_x_monotone_curve_2& c, const Arr_point_2& p) {
+[[nodiscard]] const Arranged_place* place_on(const Arr_curve_2::Part& c, const Arr_point_2& p) {
   if (const Arranged_place* known = known_place(p, c)) return known;
   add_places(*p.data(), *c.data(), {0, 1});
   return known_place(p, c);
@@ -148,7 +148,7 @@ namespace {
 
 }  // namespace
 
-Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c) {
+Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_curve_2::Part& c) {
   if (c.is_vertical()) {
     if (compare_coordinates(p, c.left(), false) == SMALLER) return SMALLER;
     return compare_coordinates(p, c.right(), false) == LARGER ? LARGER : EQUAL;
@@ -168,7 +168,7 @@ Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curv
     if (const Comparison_result r = by_ranges(bits); r != EQUAL) return r;
 }
 
-Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p) {
+Bracket parameter_at(const Arr_curve_2::Part& c, const Arr_point_2& p) {
   const Arranged_place* place = place_on(c, p);
   if (!place) throw std::logic_error(expected("point", "one on the curve", "one beside it"));
   return place->t;
@@ -194,7 +194,7 @@ struct Shared_branch {
 
 }  // namespace
 
-std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const Arr_x_monotone_curve_2& d,
+std::vector<Arr_common_part> common_parts(const Arr_curve_2::Part& c, const Arr_curve_2::Part& d,
                                           Meetings_of_pairs& meetings) {
   std::vector<Arr_common_part> parts, points;
   const auto add_point = [&](const Arr_point_2& p, unsigned multiplicity) {
@@ -207,7 +207,7 @@ std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const
   };
   // \param left, right the ends of what both branches have in common, if these do not go on there
   const auto add_part = [&](const Arr_point_2* left, const Arr_point_2* right) {
-    for (const Arr_x_monotone_curve_2* e : {&c, &d}) {
+    for (const Arr_curve_2::Part* e : {&c, &d}) {
       if (!left || compare_xy(*left, e->left()) == SMALLER) left = &e->left();
       if (!right || compare_xy(*right, e->right()) == LARGER) right = &e->right();
     }
@@ -258,9 +258,9 @@ std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const
 namespace {
 
 /// By tangents, which tell most curves apart; EQUAL where they do not.
-[[nodiscard]] Comparison_result compare_slopes(const Arr_x_monotone_curve_2& c, const Bracket& t,
-                                               const Arr_x_monotone_curve_2& d, const Bracket& s) {
-  const auto tangent = [](const Arr_x_monotone_curve_2& e, const Bracket& at) {
+[[nodiscard]] Comparison_result compare_slopes(const Arr_curve_2::Part& c, const Bracket& t, const Arr_curve_2::Part& d,
+                                               const Bracket& s) {
+  const auto tangent = [](const Arr_curve_2::Part& e, const Bracket& at) {
     const Derivative_in_range along = derivative_in(e.data()->evaluator(), at);
     return e.is_rising() ? along : Derivative_in_range{-along.value, along.error};
   };
@@ -285,8 +285,8 @@ namespace {
 
 }  // namespace
 
-Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_monotone_curve_2& d,
-                                   const Arr_point_2& p, bool is_right, Meetings_of_pairs& meetings) {
+Comparison_result compare_y_beside(const Arr_curve_2::Part& c, const Arr_curve_2::Part& d, const Arr_point_2& p,
+                                   bool is_right, Meetings_of_pairs& meetings) {
   if (c.is_vertical() || d.is_vertical()) {  // the one that is upright is above to the right, and below to the left
     if (c.is_vertical() && d.is_vertical()) return EQUAL;
     return c.is_vertical() == is_right ? LARGER : SMALLER;

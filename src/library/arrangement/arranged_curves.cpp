@@ -307,10 +307,10 @@ const std::vector<Bracket>& Arranged_curve::turns() const {
   });
 }
 
-std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve) {
+std::vector<Arr_curve_2::Part> x_monotone_parts(const Arr_curve_2& curve) {
   const Arranged_curve_handle& c = curve.data();
   if (c->is_vertical() && c->y().is_single()) return {};
-  std::vector<Arr_x_monotone_curve_2::End> ends{{Arr_point_2(c->start()), {0, 0}}};
+  std::vector<Arr_curve_2::Part::End> ends{{Arr_point_2(c->start()), {0, 0}}};
   for (const Bracket& range : c->turns()) {
     auto turn = std::make_shared<Arranged_point>();
     turn->turn = ends.size() - 1;
@@ -322,16 +322,15 @@ std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve) {
     ends.push_back({Arr_point_2(std::move(turn)), range});
   }
   ends.push_back({Arr_point_2(c->end()), {1, 1}});
-  for (const Arr_x_monotone_curve_2::End* end : {&ends.front(), &ends.back()})
-    add_place(*end->point.data(), *c, end->t);
-  std::vector<Arr_x_monotone_curve_2> result;
+  for (const Arr_curve_2::Part::End* end : {&ends.front(), &ends.back()}) add_place(*end->point.data(), *c, end->t);
+  std::vector<Arr_curve_2::Part> result;
   bool is_rising = compare_xy(ends[0].point, ends[1].point) == SMALLER;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i, is_rising = !is_rising)
     result.emplace_back(c, i, is_rising, ends[is_rising ? i : i + 1], ends[is_rising ? i + 1 : i]);
   return result;
 }
 
-std::vector<Xy<double>> approximate_polyline(const Arr_x_monotone_curve_2& c, double error) {
+std::vector<Xy<double>> approximate_polyline(const Arr_curve_2::Part& c, double error) {
   const double from = c.left_parameter().middle(), to = c.right_parameter().middle();
   constexpr double MOST = 1e6;
   const double legs =

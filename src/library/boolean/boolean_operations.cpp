@@ -38,15 +38,15 @@ class Filled_faces {
       add(united_.operands[edge.curve], edge.is_against == is_reversed(s) ? -1 : 1);
     }
   }
-  [[nodiscard]] bool is_of(Boolean_operation operation) const {
+  [[nodiscard]] bool is_of(Outline_2::Operation operation) const {
     switch (operation) {
-      case Boolean_operation::UNION:
+      case Outline_2::Operation::UNION:
         return filled_ > 0;
-      case Boolean_operation::INTERSECTION:
+      case Outline_2::Operation::INTERSECTION:
         return filled_ == rules_.size();
-      case Boolean_operation::DIFFERENCE:
+      case Outline_2::Operation::DIFFERENCE:
         return filled_ == 1 && is_filled_by(0);
-      case Boolean_operation::SYMMETRIC_DIFFERENCE:
+      case Outline_2::Operation::SYMMETRIC_DIFFERENCE:
         return filled_ % 2 == 1;
     }
     return false;
@@ -103,12 +103,12 @@ class Filled_faces {
 
 namespace CGAL::Bounding_arcs {
 
-Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2*>& trees, Boolean_operation operation,
+Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2*>& trees, Outline_2::Operation operation,
                             const Fill_rules& fill_rules) {
   if (trees.empty()) return {};
   std::vector<Fill_rule> rules;
   for (std::size_t i = 0; i < trees.size(); ++i) rules.push_back(fill_rules.of(i, trees.size()));
-  for (const Bounding_arc_tree_2* tree : trees) check_closed(tree->drawing());
+  for (const Bounding_arc_tree_2* tree : trees) internal::check_closed(tree->drawing());
   const internal::United_curves united = internal::united_curves(trees, internal::Lone_points::DROPPED);
   const internal::Overlay overlay(*united.segments);
   if (overlay.open()) return {{}, Outline_2::Status::UNDECIDED, internal::undecided_meeting(*overlay.open(), united)};

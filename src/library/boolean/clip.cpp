@@ -134,7 +134,7 @@ class Clipper {
 namespace CGAL::Bounding_arcs {
 
 Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& region, Fill_rule rule) {
-  check_closed(region.drawing());
+  internal::check_closed(region.drawing());
   const Common_unit both(curves, region);
   const Numbered_intersections found = Intersection_search(both.a(), both.b()).by_pieces();
   return internal::Clipper(both.a(), both.b(), both.unit(), rule, found).result();

@@ -329,25 +329,14 @@ void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& dra
 
 namespace CGAL::Bounding_arcs {
 
-Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_2::Part& part) {
-  return internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier],
-                                 {0, part.curve, part.bezier, part.from, part.to, false, part.start, part.end});
+Bezier_curve_2<double> Clipped_2::Part::cut_from(const Drawing_2<double>& drawing) const {
+  return internal::curve_of_part(drawing.curves()[curve].beziers[bezier],
+                                 {0, curve, bezier, from, to, false, start, end});
 }
 
-Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline) {
-  Drawing_2<double> result;
-  for (const Outline_2::Chain& given : outline.chains) {
-    std::vector<Bezier_curve_2<double>> chain;
-    for (const Outline_2::Part& p : given.parts)
-      chain.push_back(internal::curve_of_part(trees.at(p.operand)->drawing().curves()[p.curve].beziers[p.bezier], p));
-    internal::add_chain(std::move(chain), result);
-  }
-  return result;
-}
-
-Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline,
-                            const Drawn_outline::Options& options) {
-  Drawn_outline result;
+Outline_2::Drawn drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees, const Outline_2& outline,
+                               const Outline_2::Drawn::Options& options) {
+  Outline_2::Drawn result;
   result.outline.status = outline.status;
   result.outline.undecided = outline.undecided;
   internal::Chain_drawer drawer(trees);

@@ -46,7 +46,7 @@ double farthest(const Bezier_curve_2<double>& curve, const Xy<double>& from) {
 double cutting_error(const Bezier_curve_2<double>& piece) {
   constexpr double UNDERFLOW_LOSS = 0x1p-1060;  // what some thousand products lose at most
   const double n = piece.degree(), steps = piece.is_rational() ? 6 * n * n + 21 * n : 6 * n;
-  return steps * (1.5 * HALF_ULP) * coordinate_size(piece) + UNDERFLOW_LOSS;
+  return steps * (1.5 * HALF_ULP) * piece.coordinate_size() + UNDERFLOW_LOSS;
 }
 
 namespace {

@@ -237,7 +237,7 @@ template <class Isa> void fit_balanced(Arc_columns& columns);
 using Arc_function = void (*)(Arc_columns&);
 
 /// The loops of one kind.
-[[nodiscard]] inline Arc_function arc_function(bool are_biarcs, Instruction_set set) {
+[[nodiscard]] inline Arc_function arc_function(bool are_biarcs, Build_options::Instruction_set set) {
   return function_for(set,
                       [&](auto isa) { return are_biarcs ? &fit_biarcs<decltype(isa)> : &fit_balanced<decltype(isa)>; });
 }

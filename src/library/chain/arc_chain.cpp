@@ -191,13 +191,13 @@ class Chain_builder {
   }
 
   /// The next spiral segment in curve order; it has to outlive the builder.
-  /// \throws std::invalid_argument for a curve out of the range of check_queried
+  /// \throws std::invalid_argument for a curve out of the range of queries
   void add(const Bezier_spiral_2<double>& spiral) {
     if (chain_.status == Build_status::REGION_LIMIT) return;
     const bool goes_on =
         before_ != nullptr && &spiral.curve() == &before_->curve() && spiral.first() == before_->last();
     const std::optional<Xy<double>> start = goes_on ? std::optional<Xy<double>>(end_) : std::nullopt;
-    if (!goes_on) check_queried(spiral.curve());
+    if (!goes_on) internal::check_queried(spiral.curve());
     before_ = &spiral;
     if (internal::Cubic_spiral_arcs::is_for(spiral, options_.side)) {
       add_to_group(internal::Cubic_spiral_arcs(spiral, options_.continuity, eps_, start));

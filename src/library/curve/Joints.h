@@ -132,7 +132,7 @@ class Free_ends {
 class Joints {
  public:
   Joints(const Drawing_2<double>& drawing, const std::vector<std::size_t>& layers)
-      : curves_(drawing.curves()), layers_(layers), size_(coordinate_size(drawing)),
+      : curves_(drawing.curves()), layers_(layers), size_(drawing.coordinate_size()),
         partner_(2 * curves_.size(), NO_END) {}
 
   // Joins loops whose curves follow each other in the drawing, on one layer, where tangents tell nothing else. Outlines

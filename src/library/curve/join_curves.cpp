@@ -105,7 +105,7 @@ void add_as_it_is(Drawing_2<double>& drawing, const Curve& curve) {
 
 }  // namespace
 
-double rounding_of_ends(double largest_coordinate) { return std::ldexp(largest_coordinate, -40); }
+double Joined_curves::rounding_of_ends(double largest_coordinate) { return std::ldexp(largest_coordinate, -40); }
 
 Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const std::vector<std::size_t>& layers,
                           const std::vector<double>& errors) {
@@ -116,7 +116,7 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
     throw std::invalid_argument(expected("layers", text_of(curves.size()) + ", one a curve, or none", layers.size()));
   if (!errors.empty() && errors.size() != curves.size())
     throw std::invalid_argument(expected("errors", text_of(curves.size()) + ", one a curve, or none", errors.size()));
-  std::vector<Reach> reaches{{0}, {(std::min)(rounding_of_ends(coordinate_size(drawing)), eps)}, {eps}};
+  std::vector<Reach> reaches{{0}, {(std::min)(Joined_curves::rounding_of_ends(drawing.coordinate_size()), eps)}, {eps}};
   for (const double error : errors) {
     if (!(error >= 0) || !std::isfinite(error))
       throw std::invalid_argument(expected("errors", "numbers from 0", text_of(error, "another one")));

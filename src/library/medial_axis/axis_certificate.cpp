@@ -28,35 +28,35 @@ class Axis_prover {
  public:
   /// Curves and axis have a size near 1.
   Axis_prover(const Bounding_parts& bounds, const Medial_axis_2& axis)
-      : bounds_(bounds), curves_(bounds.segments), axis_(axis), size_(coordinate_size(curves_.drawing())),
+      : bounds_(bounds), curves_(bounds.segments), axis_(axis), size_(curves_.drawing().coordinate_size()),
         least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_, least_),
         prover_(curves_, size_), ranges_(2 * curves_.number_of_segments()) {}
 
-  [[nodiscard]] Axis_certificate prove() {
-    Axis_certificate result;
+  [[nodiscard]] Medial_axis_2::Certificate prove() {
+    Medial_axis_2::Certificate result;
     result.is_euler = axis_.vertices.size() + axis_.holes == axis_.edges.size() + axis_.regions;
     for (const Medial_axis_2::Edge& e : axis_.edges) result.edges.push_back(prove(e));
     result.is_tiled = is_tiled();
     bool is_bounded = result.is_tiled && result.is_euler;
-    for (const Axis_certificate::Edge& e : result.edges) {
+    for (const Medial_axis_2::Certificate::Edge& e : result.edges) {
       result.bound = (std::max)(result.bound, e.bound);
       is_bounded = is_bounded && e.bound < Line_prover::UNBOUNDED;
     }
-    for (Axis_certificate::Edge& e : result.edges)
+    for (Medial_axis_2::Certificate::Edge& e : result.edges)
       if (!is_bounded && e.status == Status::PROVEN) e.status = Status::ESTIMATED, e.reason = Reason::ELSEWHERE;
     return result;
   }
 
  private:
-  using Status = Axis_certificate::Status;
-  using Reason = Axis_certificate::Reason;
+  using Status = Medial_axis_2::Certificate::Status;
+  using Reason = Medial_axis_2::Certificate::Reason;
   static constexpr double NEAR = 1.5;          // times what is seen: goals
   static constexpr double SHORT = 1.0 / 16;    // of eps: longer lines are never left out
   static constexpr double LEAST = 0x1p-42;     // of the size: shorter parts of the boundary are left out
   static constexpr int MOST_PARTED = 1 << 18;  // lines within one that is given: a bound that needs more is not got
 
-  [[nodiscard]] Axis_certificate::Edge prove(const Medial_axis_2::Edge& e) {
-    Axis_certificate::Edge result;
+  [[nodiscard]] Medial_axis_2::Certificate::Edge prove(const Medial_axis_2::Edge& e) {
+    Medial_axis_2::Certificate::Edge result;
     if (e.samples.size() < 2) return {Status::ESTIMATED, Reason::FEET, Line_prover::UNBOUNDED};
     lines_.clear();
     double moved = 0;  // by samples that are left out
@@ -290,24 +290,24 @@ class Axis_prover {
 
 namespace CGAL::Bounding_arcs {
 
-const char* name_of(Axis_certificate::Reason reason) {
+const char* Medial_axis_2::Certificate::name_of(Reason reason) {
   static constexpr const char* NAMES[] = {"NONE", "FEET", "CELL", "BAND", "ELSEWHERE"};  // as they are declared
   return NAMES[static_cast<std::size_t>(reason)];
 }
 
-bool Axis_certificate::is_proven() const {
-  return is_tiled && is_euler && std::all_of(edges.begin(), edges.end(), [](const Axis_certificate::Edge& e) {
-           return e.status == Axis_certificate::Status::PROVEN;
+bool Medial_axis_2::Certificate::is_proven() const {
+  return is_tiled && is_euler && std::all_of(edges.begin(), edges.end(), [](const Medial_axis_2::Certificate::Edge& e) {
+           return e.status == Medial_axis_2::Certificate::Status::PROVEN;
          });
 }
 
-Axis_certificate axis_certificate(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
-  const Unit& unit = curves.unit();
+Medial_axis_2::Certificate axis_certificate(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
+  const internal::Unit& unit = curves.unit();
   const auto bounds = internal::bounds_of(axis, curves.in_unit());
   const Medial_axis_2 in_unit = internal::in(unit, axis);
-  Axis_certificate result = internal::Axis_prover(*bounds, in_unit).prove();
+  Medial_axis_2::Certificate result = internal::Axis_prover(*bounds, in_unit).prove();
   result.bound = unit.out(result.bound);
-  for (Axis_certificate::Edge& e : result.edges) e.bound = unit.out(e.bound);
+  for (Medial_axis_2::Certificate::Edge& e : result.edges) e.bound = unit.out(e.bound);
   return result;
 }
 

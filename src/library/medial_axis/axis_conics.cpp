@@ -163,10 +163,10 @@ class Conic_maker {
 std::vector<std::vector<Medial_axis_2::Conic>> axis_conics(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis,
                                                            double eps) {
   check_above_zero("eps", eps);
-  const Unit& unit = curves.unit();
+  const internal::Unit& unit = curves.unit();
   const Medial_axis_2 scaled = internal::in(unit, axis);
   const auto bounds = internal::bounds_of(axis, curves.in_unit());
-  const Conic_maker maker(*bounds, coordinate_size(curves.in_unit().drawing()), scaled.eps, unit.tolerance_in(eps));
+  const Conic_maker maker(*bounds, curves.in_unit().drawing().coordinate_size(), scaled.eps, unit.tolerance_in(eps));
   std::vector<std::vector<Medial_axis_2::Conic>> result;
   const auto place = [&](const Xy<double>& p) { return unit.out(p); };
   for (const Medial_axis_2::Edge& e : scaled.edges) {

@@ -4,7 +4,7 @@
 //
 // Bodies of medial_axis/bisector.h.
 
-#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
@@ -85,11 +85,11 @@ template <class Disc> class Chain_maker {
 }  // namespace
 
 Bisector_2::Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2& b, double largest)
-    : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(internal::scaled(a, unit_)),
+    : unit_((std::max)(b.unit(), internal::Unit::of_size(a.coordinate_size()))), a_(internal::scaled(a, unit_)),
       b_(b.in_unit(unit_)), largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
   if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
     throw std::invalid_argument(expected("largest", "a radius above 0 and up to 2^500 (3e150)", largest));
-  check_queried(a);
+  internal::check_queried(a);
 }
 
 std::optional<Bisector_2::Sample> Bisector_2::disc(double t) const {
@@ -112,7 +112,7 @@ Bisector_2::Sample Bisector_2::out(const Bisector_2::Sample& s) const {
 
 std::optional<Bisector_2::Sample> Bisector_2::disc_in_unit(double t) const {
   const Segment_hierarchy& b = *b_;
-  const std::vector<Xy<double>> jet = taylor_expansion(a_, t, 2);
+  const std::vector<Xy<double>> jet = a_.taylor_expansion(t, 2);
   const double speed = euclidean_norm(jet[1]);
   if (!(speed > 0)) return std::nullopt;
   const Xy<double> normal = (1 / speed) * perp(jet[1]);

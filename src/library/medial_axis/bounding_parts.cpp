@@ -227,7 +227,7 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
   };
   std::vector<char> is_wanted = are_wanted();
   auto parted = std::make_unique<const Parted_segments>(overlay, is_wanted);
-  const double speck = 2 * (std::max)(close, CLOSE_WALLS * coordinate_size(curves.drawing()));
+  const double speck = 2 * (std::max)(close, CLOSE_WALLS * curves.drawing().coordinate_size());
   const bool has_specks = leave_specks_out(*parted, speck, options.is_framed, rings);
   if (has_specks) {
     is_wanted = are_wanted();
@@ -263,7 +263,7 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
 
 std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis, const Segment_hierarchy& curves) {
   if (axis.bounds) return axis.bounds;
-  const double close = CLOSE_WALLS * coordinate_size(curves.drawing());
+  const double close = CLOSE_WALLS * curves.drawing().coordinate_size();
   return std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options, close));
 }
 

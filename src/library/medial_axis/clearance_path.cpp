@@ -190,7 +190,7 @@ namespace CGAL::Bounding_arcs {
 
 std::optional<Medial_axis_2::Path> clearance_path(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
                                                   const Asked_point& from, const Asked_point& to) {
-  const Unit& unit = tree.unit();
+  const internal::Unit& unit = tree.unit();
   auto path = internal::clearance_path(internal::bounds_of(axis, tree.in_unit())->segments, internal::in(unit, axis),
                                        point_in(unit, from.point), point_in(unit, to.point));
   if (!path) return path;

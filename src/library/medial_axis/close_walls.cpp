@@ -372,7 +372,7 @@ class Wall_joiner {
                              points_[joints_.find(walls_[w].to)] - piece.last.point};
     const double most = (std::max)(euclidean_norm(by[0]), euclidean_norm(by[1]));
     constexpr double LEAST = 0x1p-48;  // of the size: less is rounding
-    if (!(most > LEAST * coordinate_size(curves_.drawing())) || piece.first.t == piece.last.t) return made;
+    if (!(most > LEAST * curves_.drawing().coordinate_size()) || piece.first.t == piece.last.t) return made;
     moved_ = (std::max)(moved_, most);
     made.moved = moved(curves_.evaluator(curves_.bezier_of(piece.segment)).curve(), piece, by[0], by[1]);
     return made;

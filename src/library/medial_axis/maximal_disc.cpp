@@ -29,7 +29,7 @@ namespace internal {
   Medial_axis_2::Options options;
   options.rule = rule;
   const Segment_hierarchy& in_unit = curves.in_unit();
-  return bounding_parts(in_unit, options, CLOSE_WALLS * coordinate_size(in_unit.drawing()));
+  return bounding_parts(in_unit, options, CLOSE_WALLS * in_unit.drawing().coordinate_size());
 }
 
 }  // namespace internal
@@ -93,7 +93,7 @@ std::optional<Medial_axis_2::Inscribed_disc> largest_inscribed_disc(const Boundi
   for (const Medial_axis_2::Edge& e : axis.edges)
     for (const Medial_axis_2::Sample& s : e.samples)
       if (s.radius > most) most = s.radius, center = s.center;
-  const Unit& unit = curves.unit();
+  const internal::Unit& unit = curves.unit();
   const Bracket in_unit = closest_point(internal::bounds_of(axis, curves.in_unit())->segments, point_in(unit, center))
                               ->distance,
                 found = unit.bounds_out(in_unit);

@@ -270,16 +270,8 @@ Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box) {
   return drawing;
 }
 
-CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing) {
-  CGAL::Bbox_2 box;
-  for (const auto& curve : drawing.curves())
-    for (const auto& piece : curve.beziers)
-      for (const Xy<double>& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
-  return box;
-}
-
 Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
-  const CGAL::Bbox_2 box = control_box(drawing);
+  const CGAL::Bbox_2 box = drawing.control_box();
   if (drawing.curves().empty())
     throw std::invalid_argument(expected("drawing", "at least one curve to be framed", "none"));
   const CGAL::Bbox_2 wide(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
@@ -308,9 +300,9 @@ Medial_axis_2 internal::medial_axis(const Bounding_arc_tree_2& curves, double ep
                                     const Medial_axis_2::Options& options, Index_loop loop) {
   check_above_zero("eps", eps);
   if (options.is_framed) check_frame(curves.drawing());
-  else check_closed(curves.drawing());
+  else internal::check_closed(curves.drawing());
   const Segment_hierarchy& segments = curves.in_unit();
-  const double size = coordinate_size(segments.drawing());
+  const double size = segments.drawing().coordinate_size();
   const Asked_axis asked{options, curves.unit().tolerance_in(eps), size, loop};
   const Xy<double> origin = segments.is_rounded() ? Xy<double>{0, 0} : near_origin(segments.drawing());
   if (origin == Xy<double>{0, 0}) return out(curves.unit(), resolved_axis(segments, asked));

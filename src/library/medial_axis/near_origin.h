@@ -12,7 +12,6 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// A point within a drawing beside which it is small, and its coordinates exact; (0, 0) where there is none.
 [[nodiscard]] inline Xy<double> near_origin(const Drawing_2<double>& drawing) {
   if (drawing.curves().empty()) return {0, 0};
-  const CGAL::Bbox_2 box = control_box(drawing);
+  const CGAL::Bbox_2 box = drawing.control_box();
   const Xy<double> origin{exact_origin(box.xmin(), box.xmax()), exact_origin(box.ymin(), box.ymax())};
   const auto size = [&](const Xy<double>& o) {
     return (std::max)({std::fabs(box.xmin() - o.x), std::fabs(box.xmax() - o.x), std::fabs(box.ymin() - o.y),

@@ -120,7 +120,7 @@ class Axis_pruner {
 namespace CGAL::Bounding_arcs {
 
 Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
-  const Unit unit = internal::unit_of(axis);
+  const internal::Unit unit = internal::unit_of(axis);
   return internal::out(
       unit, internal::Axis_pruner(internal::in(unit, std::move(axis)), unit.tolerance_in(significance)).pruned());
 }
@@ -131,7 +131,7 @@ Medial_axis_2 trimmed(const Bounding_arc_tree_2& tree, Medial_axis_2 axis, const
     throw std::invalid_argument(expected("angle", "a number from 0 to 2", apart.angle));
   if (!(apart.half_distance >= 0))
     throw std::invalid_argument(expected("distance", "a number of at least 0", 2 * apart.half_distance));
-  const Unit& unit = tree.unit();
+  const internal::Unit& unit = tree.unit();
   const auto bounds = internal::bounds_of(axis, tree.in_unit());
   return internal::out(unit, internal::trimmed(internal::in(unit, std::move(axis)), bounds->segments, apart.angle,
                                                unit.tolerance_in(apart.half_distance)));

@@ -43,7 +43,7 @@ namespace {
   for (std::size_t v = 0; v < editor.axis().vertices.size(); ++v) editor.pass(v);
   Medial_axis_2 ways = std::move(editor).edited();
   std::vector<Medial_axis_2::Thin_stretch> result;
-  const std::vector<std::size_t> degree = degrees(ways);
+  const std::vector<std::size_t> degree = ways.degrees();
   for (std::size_t v = 0; v < degree.size(); ++v)
     if (degree[v] == 0) result.push_back({{internal::disc_of(ways.vertices[v])}, 0, 0});
   const auto is_smaller = [](const Medial_axis_2::Sample& s, const Medial_axis_2::Sample& t) {
@@ -66,7 +66,7 @@ std::vector<Medial_axis_2::Thin_stretch> thin_stretches(const Medial_axis_2& axi
     throw std::invalid_argument(expected("corner", "an angle above 0 and at most pi", corner));
   constexpr double SAME = 0x1p-20;  // radians: corners of this angle are told by rounded discs
   constexpr double ROOM = 0x1p-40;  // of the size: what discs are checked within
-  const Unit unit = internal::unit_of(axis);
+  const internal::Unit unit = internal::unit_of(axis);
   Medial_axis_2 scaled = internal::in(unit, axis);
   double size = 0;
   for (const Medial_axis_2::Vertex& v : scaled.vertices)

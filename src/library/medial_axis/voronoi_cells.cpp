@@ -63,7 +63,7 @@ class Places {
 class Cell_walk {
  public:
   Cell_walk(const Bounding_parts& bounds, const Medial_axis_2& axis)
-      : places_(bounds.segments), curves_(bounds.segments), size_(coordinate_size(curves_.drawing())),
+      : places_(bounds.segments), curves_(bounds.segments), size_(curves_.drawing().coordinate_size()),
         least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, LEAST * size_), axis_(axis),
         next_in_ring_(2 * curves_.number_of_segments(), NONE) {
     for (const Bounding_ring& ring : bounds.rings)
@@ -85,7 +85,7 @@ class Cell_walk {
       }
       add_runs(cycle);
     }
-    const std::vector<std::size_t> degree = degrees(axis_);
+    const std::vector<std::size_t> degree = axis_.degrees();
     for (std::size_t i = 0; i < degree.size(); ++i)
       if (degree[i] == 0) add_disc(i);
     std::stable_sort(cells_.begin(), cells_.end(),
@@ -297,12 +297,13 @@ std::vector<Medial_axis_2::Cell> voronoi_cells(const Bounding_arc_tree_2& tree, 
   return internal::Cell_walk(*bounds, internal::in(tree.unit(), axis)).cells();
 }
 
-std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                     const Medial_axis_2::Cell& cell, int per_piece) {
+std::vector<Xy<double>> Medial_axis_2::Cell::polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
+                                                     int per_piece) const {
+  const Cell& cell = *this;
   const internal::Places places(tree.in_unit());
-  const Unit& unit = tree.unit();
+  const internal::Unit& unit = tree.unit();
   const std::uint32_t n = places.count(cell.curve);
-  std::vector<Xy<double>> polygon{unit.out(places.point(cell.first))};
+  std::vector<Xy<double>> result{unit.out(places.point(cell.first))};
   const double end = cell.is_reversed ? 0 : 1;
   const auto is_behind = [&](double t, double u) { return cell.is_reversed ? t < u : t > u; };
   Curve_place at = cell.first;
@@ -313,22 +314,22 @@ std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medi
         last.bezier == at.bezier && !is_behind(at.t, last.t) && !(cell.is_whole && !is_started && at.t == last.t);
     const double stop = is_last ? last.t : end;
     for (int k = 1; k <= per_piece && at.t != stop; ++k)
-      polygon.push_back(unit.out(places.point({at.curve, at.bezier, at.t + (stop - at.t) * k / per_piece})));
+      result.push_back(unit.out(places.point({at.curve, at.bezier, at.t + (stop - at.t) * k / per_piece})));
     if (is_last) break;
     is_started = true;
     at.bezier = cell.is_reversed ? (at.bezier + n - 1) % n : (at.bezier + 1) % n;
     at.t = 1 - end;
   }
-  if (cell.rim.empty() && !cell.is_whole) polygon.push_back(axis.vertices[cell.vertex].center);
+  if (cell.rim.empty() && !cell.is_whole) result.push_back(axis.vertices[cell.vertex].center);
   for (auto part = cell.rim.rbegin(); part != cell.rim.rend(); ++part) {
     const auto step = part->first < part->last ? -1 : 1;
     const auto& samples = axis.edges[part->edge].samples;
     for (auto i = static_cast<std::ptrdiff_t>(part->last);; i += step) {
-      polygon.push_back(samples[static_cast<std::size_t>(i)].center);
+      result.push_back(samples[static_cast<std::size_t>(i)].center);
       if (i == static_cast<std::ptrdiff_t>(part->first)) break;
     }
   }
-  return polygon;
+  return result;
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 
 [[nodiscard]] static bool is_valid(const Offset::Piece& p) {
   const auto is_parameter = [](double t) { return t >= 0 && t <= 1; };
-  return is_valid(p.arc) && is_parameter(p.source.t) && is_parameter(p.t_end);
+  return p.arc.is_valid() && is_parameter(p.source.t) && is_parameter(p.t_end);
 }
 
 // Each piece starts where the one before ends.

@@ -24,7 +24,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps, const Offset::Options& options) {
+Offset::Bounds offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps, const Offset::Options& options) {
   if (!(std::fabs(d) > eps))
     throw std::invalid_argument(expected("distance", "a number above eps, " + text_of(eps), d));
   if (options.join != Offset::Join::ROUND || options.cap != Offset::Cap::ROUND || options.side != Offset::Side::BOTH)
@@ -53,14 +53,12 @@ Offset sleeve(const Arc_region_2& region, double d, double eps) {
   return Offset_source_2({boundary}, beside).at(d + widening + beside);
 }
 
-Bezier_curve_2<double> quadratic_of(const Arc_2& arc) { return arc_beziers(arc.from, arc.to, arc.bulge).front(); }
-
-Drawing_2<double> drawing_of(const Offset& offset) {
-  Drawing_2<double> drawing;
-  for (const Offset::Chain& chain : offset.chains) {
+Drawing_2<double> Offset::drawing() const {
+  Drawing_2<double> result;
+  for (const Chain& chain : chains) {
     std::vector<Bezier_curve_2<double>> beziers;
     const auto finish = [&] {
-      if (!beziers.empty()) drawing.add(std::exchange(beziers, {}));
+      if (!beziers.empty()) result.add(std::exchange(beziers, {}));
     };
     for (const Offset::Piece& piece : chain.pieces) {
       if (!piece.is_round) finish();
@@ -70,11 +68,11 @@ Drawing_2<double> drawing_of(const Offset& offset) {
     }
     finish();
   }
-  return drawing;
+  return result;
 }
 
 std::optional<Offset::Error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
-  const Bounding_arc_tree_2 chains(drawing_of(offset), Decisions::DOUBLE);
+  const Bounding_arc_tree_2 chains(offset.drawing(), Decisions::DOUBLE);
   const double d = std::fabs(offset.distance);
   const auto most = directed_hausdorff_distance(chains, curves, eps);
   if (!most) return std::nullopt;
@@ -99,23 +97,23 @@ std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double 
   return result;
 }
 
-Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
-                          const Offset::Options& options) {
+// Two offsets one after the other, each of half of eps: the second one, not COMPLETE where the first one is not.
+[[nodiscard]] static Offset offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
+                                         const Offset::Options& options) {
   Offset::Options of_chains = options;
   of_chains.rule = Fill_rule::NONZERO;  // chains run as regions do
-  Offset_twice result;
-  result.first = offset(tree, first, eps / 2, options);
-  result.second = Offset_source_2(result.first.chains, eps / 2, of_chains).at(second);
-  result.second.status = (std::max)(result.first.status, result.second.status);
+  const Offset between = offset(tree, first, eps / 2, options);
+  Offset result = Offset_source_2(between.chains, eps / 2, of_chains).at(second);
+  result.status = (std::max)(between.status, result.status);
   return result;
 }
 
 Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset::Options& options) {
-  return offset_twice(tree, -radius, radius, eps, options).second;
+  return offset_twice(tree, -radius, radius, eps, options);
 }
 
 Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset::Options& options) {
-  return offset_twice(tree, radius, -radius, eps, options).second;
+  return offset_twice(tree, radius, -radius, eps, options);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -74,7 +74,7 @@ class Piece_stretch {
   Piece_stretch(const Offset::Piece* begin, const Offset::Piece* end) : pieces_(begin, end), ways_{0} {
     for (const Offset::Piece& p : pieces_) {
       ways_.push_back(ways_.back() + length(p.arc));
-      turn_ += 2 * half_turn(p.arc);
+      turn_ += 2 * p.arc.half_turn();
     }
   }
   // Arcs of at most half a circle each, as few as there may be.

@@ -199,16 +199,16 @@ Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees, const Ov
   return result;
 }
 
-Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
-                         std::uint32_t face, double eps) {
+Measure_bounds Overlay_2::face_area(const std::vector<const Bounding_arc_tree_2*>& trees, std::uint32_t face,
+                                    double eps) const {
   check_tolerance(eps);
-  const Overlay_2::Face& of = overlay.faces.at(face);
+  const Face& of = faces.at(face);
   if (!of.is_bounded) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));
   internal::Boundary_sum sum;
-  for (const std::vector<Overlay_2::Side>& boundary : of.boundaries) {
-    for (const Overlay_2::Side& side : boundary) {
-      const Overlay_2::Source& along = overlay.edges[side.edge].sources.front();
-      const auto add = [&](const Overlay_2::Part& part) {
+  for (const std::vector<Side>& boundary : of.boundaries) {
+    for (const Side& side : boundary) {
+      const Source& along = edges[side.edge].sources.front();
+      const auto add = [&](const Part& part) {
         const auto bezier = trees.at(along.operand)->exact_bezier(along.curve, part.bezier);
         sum.add(bezier, side.is_reversed ? part.to : part.from, side.is_reversed ? part.from : part.to);
       };

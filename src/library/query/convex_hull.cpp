@@ -220,9 +220,8 @@ Convex_hull<> convex_hull(const Bounding_arc_tree_2& curves, double tolerance) {
   hull.status = status_of(outline.height() - 2 * outline.hull().error(), asked, outline.hull().is_limited());
   const Hull_chain chain(outline.hull());
   for (const Hull_link& l : chain.links())
-    hull.pieces.push_back({l.is_curve ? Hull_piece_kind::CURVE : Hull_piece_kind::BITANGENT,
-                           in_unit.place_at(l.from.segment, l.from.t), in_unit.place_at(l.to.segment, l.to.t),
-                           unit.out(l.from.point), unit.out(l.to.point)});
+    hull.pieces.push_back({!l.is_curve, in_unit.place_at(l.from.segment, l.from.t),
+                           in_unit.place_at(l.to.segment, l.to.t), unit.out(l.from.point), unit.out(l.to.point)});
   return hull;
 }
 

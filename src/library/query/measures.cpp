@@ -341,7 +341,7 @@ Measure_bounds length(const Bounding_arc_tree_2& curves, double eps) {
 
 Measure_bounds area(const Bounding_arc_tree_2& curves, double eps) {
   check_tolerance(eps);
-  check_closed(curves.drawing());
+  internal::check_closed(curves.drawing());
   if (curves.empty()) return {0, 0};
   if (const auto exact = internal::exact_b_splines(curves.drawing(), true))
     return area(Bounding_arc_tree_2(*exact), eps);
@@ -366,7 +366,7 @@ Measure_bounds area(const Bounding_arc_tree_2& curves, double eps) {
 
 std::optional<Centroid_bounds> centroid(const Bounding_arc_tree_2& curves, double eps) {
   check_tolerance(eps);
-  check_closed(curves.drawing());
+  internal::check_closed(curves.drawing());
   if (curves.empty()) return std::nullopt;
   if (const auto exact = internal::exact_b_splines(curves.drawing(), true))
     return centroid(Bounding_arc_tree_2(*exact), eps);

@@ -284,9 +284,9 @@ template <std::size_t MOST>
 
 std::optional<Piece_intersections> internal::intersections_by_doubles(const Bezier_curve_2<double>& a,
                                                                       const Bezier_curve_2<double>& b) {
-  check_served(a);
-  check_served(b);
-  const Unit unit = Unit::of_size((std::max)(coordinate_size(a), coordinate_size(b)));
+  internal::check_served(a);
+  internal::check_served(b);
+  const internal::Unit unit = internal::Unit::of_size((std::max)(a.coordinate_size(), b.coordinate_size()));
   if (!internal::is_ordinary(unit, a) || !internal::is_ordinary(unit, b)) {
     if (!internal::keeps(unit, a) || !internal::keeps(unit, b)) return std::nullopt;
     return internal::intersections_by_doubles(internal::scaled(a, unit), internal::scaled(b, unit));

@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs {
 
 /// \throws std::invalid_argument for a point that the unit does not serve: farther away than all curves by 2^500 of
 ///   them, or with a coordinate that is lost beside theirs
-[[nodiscard]] inline Xy<double> point_in(const Unit& unit, const Xy<double>& q) {
+[[nodiscard]] inline Xy<double> point_in(const internal::Unit& unit, const Xy<double>& q) {
   internal::check_point(q);
   const Xy<double> p = unit.in(q);
   if (!internal::is_queried(p))
@@ -36,26 +36,26 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// Returns a point that is asked about in a unit.
-[[nodiscard]] inline Asked_point point_in(const Unit& unit, const Asked_point& q) {
+[[nodiscard]] inline Asked_point point_in(const internal::Unit& unit, const Asked_point& q) {
   if (q.exact) return Asked_point(Xy<Exact_rational>{unit.exactly_in(q.exact->x), unit.exactly_in(q.exact->y)});
   return point_in(unit, q.point);
 }
 
 /// Returns a closest point in the drawing's own lengths.
-[[nodiscard]] inline Closest_point<> out(const Unit& unit, const Closest_point<>& p) {
+[[nodiscard]] inline Closest_point<> out(const internal::Unit& unit, const Closest_point<>& p) {
   return {unit.bounds_out(p.distance), unit.out(p.point), p.place, p.status};
 }
 /// Returns a point of a drawing in its own lengths.
-[[nodiscard]] inline Drawing_distance<>::End out(const Unit& unit, const Drawing_distance<>::End& p) {
+[[nodiscard]] inline Drawing_distance<>::End out(const internal::Unit& unit, const Drawing_distance<>::End& p) {
   return {unit.out(p.point), p.place};
 }
 /// Returns a distance in the drawings' own lengths.
-[[nodiscard]] inline Drawing_distance<> out(const Unit& unit, const Drawing_distance<>& d) {
+[[nodiscard]] inline Drawing_distance<> out(const internal::Unit& unit, const Drawing_distance<>& d) {
   return {unit.bounds_out(d.distance), out(unit, d.a), out(unit, d.b), d.status};
 }
 
 /// Returns common points in the drawings' own lengths.
-[[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
+[[nodiscard]] inline Intersections_2<> out(const internal::Unit& unit, Intersections_2<> found) {
   for (Intersections_2<>::Intersection& i : found.points) i.point = unit.out(i.point);
   return found;
 }

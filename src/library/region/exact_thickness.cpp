@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs {
 
 template Thickness_bound internal::bound_exactly(const Bca&, const Chord_shape_2<Exact_rational>&, double);
 template Thickness_bound internal::bound_exactly(const Spiral_fat_arc&, const Chord_shape_2<Exact_rational>&, double);
-template Thickness_bound internal::bound_exactly(const With_algebraic_boundary<Spiral_fat_arc>&,
+template Thickness_bound internal::bound_exactly(const internal::With_algebraic_boundary<Spiral_fat_arc>&,
                                                  const Chord_shape_2<Exact_rational>&, double);
 template Thickness_bound internal::bound_exactly(const Bilens&, const Chord_shape_2<Exact_rational>&, double);
 

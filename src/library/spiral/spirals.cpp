@@ -20,7 +20,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-template void check_served(const Bezier_curve_2<double>&);
+template void internal::check_served(const Bezier_curve_2<double>&);
 
 template <> Xy<double> Tabulated_bezier<double>::end_point(double t) const {
   constexpr double MOST = 0x1p900, LEAST = 0x1p-900;  // beyond, products of parts leave the range of double

@@ -21,18 +21,18 @@
 namespace CGAL::Bounding_arcs {
 
 // \param largest of a coordinate
-// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
+// \throws std::invalid_argument for curves out of the ranges of served_range.h
 static void check_curves(const Drawing_2<double>& drawing, double largest) {
   for (const auto& curve : drawing.curves())
     for (const Bezier_curve_2<double>& piece : curve.beziers) {
-      check_served(piece);
-      check_queried(piece, largest);
+      internal::check_served(piece);
+      internal::check_queried(piece, largest);
     }
 }
 
 Bounding_arc_tree_2::Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions) {
   check_curves(*drawing, LARGEST_QUERIED);
-  unit_ = Unit::of_size(coordinate_size(*drawing));
+  unit_ = internal::Unit::of_size(drawing->coordinate_size());
   if (internal::is_ordinary(unit_, *drawing)) {
     segments_ = std::make_shared<Segment_hierarchy>(std::move(drawing), decisions);
     return;
@@ -41,24 +41,24 @@ Bounding_arc_tree_2::Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>
   segments_ = made_in(unit_, nullptr, decisions);
 }
 Bounding_arc_tree_2::Bounding_arc_tree_2(const Drawing_2<Exact_rational>& drawing, Decisions decisions) {
-  Drawing_2<double> rounded = converted<double>(drawing);
+  Drawing_2<double> rounded = drawing.over<double>();
   check_curves(rounded, LARGEST_SHAPE);
-  unit_ = Unit::of_size(coordinate_size(rounded));
+  unit_ = internal::Unit::of_size(rounded.coordinate_size());
   if (!internal::is_ordinary(unit_, rounded)) given_ = std::make_shared<const Drawing_2<double>>(std::move(rounded));
   segments_ = given_ ? made_in(unit_, &drawing, decisions) : std::make_shared<Segment_hierarchy>(drawing, decisions);
 }
 
 // Where a coordinate is so small beside the largest one that scaling loses of it, the drawing is one of exact numbers.
-std::shared_ptr<Segment_hierarchy> Bounding_arc_tree_2::made_in(const Unit& unit,
+std::shared_ptr<Segment_hierarchy> Bounding_arc_tree_2::made_in(const internal::Unit& unit,
                                                                 const Drawing_2<Exact_rational>* exact,
                                                                 Decisions decisions) const {
   const auto made = [&](const auto& drawing) { return std::make_shared<Segment_hierarchy>(drawing, decisions); };
   if (exact != nullptr) return made(internal::scaled(*exact, unit));
   if (internal::keeps(unit, drawing()))
     return made(std::make_shared<const Drawing_2<double>>(internal::scaled(drawing(), unit)));
-  return made(internal::scaled(converted<Exact_rational>(drawing()), unit));
+  return made(internal::scaled(drawing().over<Exact_rational>(), unit));
 }
-std::shared_ptr<const Segment_hierarchy> Bounding_arc_tree_2::in_unit(const Unit& unit) const {
+std::shared_ptr<const Segment_hierarchy> Bounding_arc_tree_2::in_unit(const internal::Unit& unit) const {
   if (unit == unit_) return segments_;
   if (!segments_->is_rounded()) {
     if (!internal::keeps(unit, drawing())) return made_in(unit, nullptr, segments_->decisions());
@@ -82,7 +82,7 @@ Bezier_curve_2<Exact_rational> Bounding_arc_tree_2::exact_bezier(std::size_t cur
 }
 
 Drawing_2<Exact_rational> Bounding_arc_tree_2::exact_drawing() const {
-  if (!segments_->is_rounded()) return converted<Exact_rational>(drawing());
+  if (!segments_->is_rounded()) return drawing().over<Exact_rational>();
   Drawing_2<Exact_rational> result;
   const auto& curves = drawing().curves();
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -100,23 +100,23 @@ void Bounding_arc_tree_2::replace(std::size_t first, std::size_t last, Drawing_2
                                      text_of(first) + ", " + text_of(last)));
   check_curves(curves, LARGEST_QUERIED);
   const auto largest = [](const Segment_hierarchy& all) {
-    if (!all.has_boxes()) return coordinate_size(all.drawing());
+    if (!all.has_boxes()) return all.drawing().coordinate_size();
     const CGAL::Bbox_2& b = all.boxes().box();
     return (std::max)({std::fabs(b.xmin()), std::fabs(b.xmax()), std::fabs(b.ymin()), std::fabs(b.ymax())});
   };
-  const bool is_cut_alone = !given_ && !segments_->is_rounded() && internal::is_ordinary(Unit(), curves) &&
-                            last - first < count && Unit::of_size(coordinate_size(curves)).is_one();
+  const bool is_cut_alone = !given_ && !segments_->is_rounded() && internal::is_ordinary(internal::Unit(), curves) &&
+                            last - first < count && internal::Unit::of_size(curves.coordinate_size()).is_one();
   if (is_cut_alone) {
     auto changed = segments_.use_count() == 1 ? segments_ : std::make_shared<Segment_hierarchy>(*segments_);
     changed->replace(first, last, curves);
     segments_ = std::move(changed);
-    if (Unit::of_size(largest(*segments_)).is_one()) return;
+    if (internal::Unit::of_size(largest(*segments_)).is_one()) return;
     *this = Bounding_arc_tree_2(Drawing_2<double>(drawing()), decisions());
     return;
   }
   if (segments_->is_rounded()) {
     Drawing_2<Exact_rational> all = exact_drawing();
-    all.replace(first, last, converted<Exact_rational>(curves));
+    all.replace(first, last, curves.over<Exact_rational>());
     *this = Bounding_arc_tree_2(all, decisions());
     return;
   }

@@ -18,10 +18,13 @@ struct One_by_one {};  ///< no registers: for few pieces
 
 /// The compiled function for a set, or for the widest below it that this machine has.
 /// \param of of(tag) returns that for the set of a tag
-template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction_set set, const Of& of) {
+template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Build_options::Instruction_set set, const Of& of) {
 #ifdef __x86_64__
-  if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512)) return of(Avx512_set());
-  if (set >= Instruction_set::AVX2 && is_available(Instruction_set::AVX2)) return of(Avx2_set());
+  if (set >= Build_options::Instruction_set::AVX512 &&
+      Build_options::is_available(Build_options::Instruction_set::AVX512))
+    return of(Avx512_set());
+  if (set >= Build_options::Instruction_set::AVX2 && Build_options::is_available(Build_options::Instruction_set::AVX2))
+    return of(Avx2_set());
 #endif
   return of(Base_set());
 }

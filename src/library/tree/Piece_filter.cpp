@@ -16,8 +16,8 @@ struct Piece_filter::State {
   Level_strategy levels;
 };
 
-Piece_filter::Piece_filter(Method method, Instruction_set set) : method_(method), set_(set) {
-  if (set == Instruction_set::NONE) return;
+Piece_filter::Piece_filter(Method method, Build_options::Instruction_set set) : method_(method), set_(set) {
+  if (set == Build_options::Instruction_set::NONE) return;
   with_formulas(method, [&](auto f) {
     state_.reset(new State{Batch_functions::of<typename decltype(f)::Type>(set), {}, {}});
   });
@@ -46,7 +46,7 @@ std::optional<unsigned> Piece_filter::are_thick(const Spiral& spiral, int level,
   const Local_curve curve = spiral.local_curve();
   const Bound_function bound = state_->functions.one(curve.kind);
   if (bound == nullptr) return std::nullopt;
-  const Spiral_grid grid(spiral.first(), spiral.last());
+  const internal::Spiral_grid grid(spiral.first(), spiral.last());
   unsigned thick = 0;
   for (unsigned i = 0; i < count; ++i) {
     const double begin = grid.parameter(level, place + i), end = grid.parameter(level, place + i + 1);

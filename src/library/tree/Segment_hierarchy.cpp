@@ -42,7 +42,7 @@ static double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
 }
 
 Segment_hierarchy::Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions)
-    : drawing_(std::make_shared<const Drawing_2<double>>(converted<double>(drawing))), decisions_(decisions) {
+    : drawing_(std::make_shared<const Drawing_2<double>>(drawing.over<double>())), decisions_(decisions) {
   is_rounded_ = !drawing.curves().empty();
   build(&drawing, nullptr);
 }

@@ -313,12 +313,12 @@ class Common_unit {
   Common_unit(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b)
       : unit_((std::max)(a.unit(), b.unit())), a_(a.in_unit(unit_)), b_(b.in_unit(unit_)) {}
 
-  [[nodiscard]] const Unit& unit() const { return unit_; }
+  [[nodiscard]] const internal::Unit& unit() const { return unit_; }
   [[nodiscard]] const Segment_hierarchy& a() const { return *a_; }
   [[nodiscard]] const Segment_hierarchy& b() const { return *b_; }
 
  private:
-  Unit unit_;
+  internal::Unit unit_;
   std::shared_ptr<const Segment_hierarchy> a_, b_;
 };
 

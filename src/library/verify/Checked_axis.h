@@ -69,7 +69,7 @@ class Checked_axis {
   Checked_axis(const Drawing_2<double>& of_curves, const Medial_axis_2& of_axis,
                const Axis_verification::Options& with_options)
       : curves(of_curves), axis(of_axis), options(with_options), sides(sides_of_curves(curves, options)),
-        boxes(with_a_side(curves, sides)), size(coordinate_size(curves)),
+        boxes(with_a_side(curves, sides)), size(curves.coordinate_size()),
         moved_by(axis.moved > 0 ? (std::min)(axis.moved, MOST * size) : 0), room(MOST * size + moved_by) {}
 
   void find(Fault fault, std::string place, double amount = 0) {

@@ -111,7 +111,7 @@ struct Parameter_range {
 [[nodiscard]] inline Chord_frame_2<Mpfr_interval> enclosed_frame(Chord_shape_2<Rational> shape, mpfr_prec_t bits) {
   shape.unit = 1;
   const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
-  return frame_at_origin(convert_shape<Mpfr_interval>(shape, number));
+  return shape.template over<Mpfr_interval>(number).at_origin();
 }
 
 /// A piece, its shape and the parameters that are asked for, in intervals of one precision.
@@ -258,7 +258,7 @@ class Piece_in_intervals {
                                               const Containment_piece& piece, Chord_shape_2<Rational> f,
                                               const Parameter_range& range) {
   f.unit = 1;
-  const auto region = construction.exact(frame_at_origin(f));
+  const auto region = construction.exact(f.at_origin());
   const auto is_over_chord = [&](const Boundary_chain_2<Rational>& side) {
     return side.size() == 1 && side[0].from == Xy<Rational>{} && side[0].to == f.chord;
   };

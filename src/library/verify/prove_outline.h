@@ -181,7 +181,7 @@ template <class Of_polygon, class Of_strip>
                                                     const Of_strip& of_strip) {
   if (construction.polygon) {
     shape.unit = 1;
-    const auto outline = construction.polygon(frame_at_origin(shape));
+    const auto outline = construction.polygon(shape.at_origin());
     if (outline.form == Outline_form::BCA) return std::nullopt;
     return of_polygon(outline);
   }

@@ -311,7 +311,7 @@ class Axis_checker {
 
 }  // namespace verify
 
-const char* name_of(Axis_verification::Fault fault) {
+const char* Axis_verification::name_of(Fault fault) {
   static constexpr const char* NAMES[] = {"FORM",   "END",  "EULER", "TOUCH", "FOOT",
                                           "TILING", "CELL", "DISC",  "BOUND"};  // as they are declared
   return NAMES[static_cast<std::size_t>(fault)];
@@ -322,7 +322,7 @@ Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis
   if (!options.bounds.empty() && options.bounds.size() != axis.edges.size())
     throw std::invalid_argument(
         expected("bounds", "one for each edge, " + text_of(axis.edges.size()), options.bounds.size()));
-  const Unit unit = Unit::of_size(coordinate_size(curves));
+  const internal::Unit unit = internal::Unit::of_size(curves.coordinate_size());
   const Drawing_2<double> scaled_curves = internal::scaled(curves, unit);
   const Medial_axis_2 scaled_axis = internal::in(unit, axis);
   Axis_verification::Options scaled_options = options;

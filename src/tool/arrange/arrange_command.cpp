@@ -73,7 +73,7 @@ Arranged arranged(const Arrange_words& words) {
   const double extent = (std::max)(box.x1 - box.x0, box.y1 - box.y0),
                eps = words.eps.empty() ? OF_BOX * extent * extent : std::strtod(words.eps.c_str(), nullptr);
   for (std::uint32_t f = 0; f < made.cells.faces.size(); ++f)
-    made.areas.push_back(made.cells.faces[f].is_bounded ? std::optional(ba::face_area(trees, made.cells, f, eps))
+    made.areas.push_back(made.cells.faces[f].is_bounded ? std::optional(made.cells.face_area(trees, f, eps))
                                                         : std::nullopt);
   return made;
 }

@@ -36,11 +36,11 @@ namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
-const std::map<std::string, ba::Boolean_operation> OPERATIONS{
-    {"union", ba::Boolean_operation::UNION},
-    {"intersection", ba::Boolean_operation::INTERSECTION},
-    {"difference", ba::Boolean_operation::DIFFERENCE},
-    {"symmetric-difference", ba::Boolean_operation::SYMMETRIC_DIFFERENCE}};
+const std::map<std::string, ba::Outline_2::Operation> OPERATIONS{
+    {"union", ba::Outline_2::Operation::UNION},
+    {"intersection", ba::Outline_2::Operation::INTERSECTION},
+    {"difference", ba::Outline_2::Operation::DIFFERENCE},
+    {"symmetric-difference", ba::Outline_2::Operation::SYMMETRIC_DIFFERENCE}};
 
 // Other words for the operations.
 std::string with_main_word(std::string& operation) {
@@ -61,7 +61,7 @@ Operand operand(Query_drawing drawing) { return std::make_shared<const Query_dra
 /// What was computed, and of what.
 struct Combined {
   std::vector<Operand> operands;
-  ba::Drawn_outline drawn;
+  ba::Outline_2::Drawn drawn;
 
   [[nodiscard]] bool y_is_down() const {
     return std::any_of(operands.begin(), operands.end(), [](const Operand& d) { return !d->flips; });

@@ -87,7 +87,7 @@ Clipped clipped(const Clip_words& words) {
     if (words.keep != name_of(part.side)) continue;
     if (made.paths.empty() || !goes_on(made.paths.back().parts.back(), part)) made.paths.emplace_back();
     made.paths.back().parts.push_back(part);
-    made.paths.back().pieces.push_back(curve_of(drawing, part));
+    made.paths.back().pieces.push_back(part.cut_from(drawing));
   }
   join_ends(made.paths);
   return made;

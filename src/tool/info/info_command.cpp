@@ -80,7 +80,7 @@ std::vector<std::string> remarks(const Info& info) {
     if (!line.empty()) lines.push_back(line);
   };
   add(info.read.converted);
-  add(text_of(info.read.file.notes));
+  add(ba::Curve_file::text_of(info.read.file.notes));
   add(info.read.joined);
   add(info.read.ambiguous);
   add(info.read.skipped);
@@ -290,7 +290,7 @@ int run_info(const Info_words& words) {
   info.read = read_file(words.file, words.reading);
   if (words.reading.is_strict) {
     if (words.reading.join.empty()) tell_change(info.file, info.read.joined, words.reading);
-    for (const std::string& text : {info.read.ambiguous, text_of(info.read.file.notes)})
+    for (const std::string& text : {info.read.ambiguous, ba::Curve_file::text_of(info.read.file.notes)})
       tell_change(info.file, text, words.reading);
   }
   if (words.reading.skips_open) skip_open(info.file, info.read);

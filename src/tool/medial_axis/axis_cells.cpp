@@ -44,7 +44,7 @@ void draw_cells(std::ostream& out, const Cells& cells, const Found_axis& found, 
   for (const ba::Medial_axis_2::Cell& cell : cells) {
     out << "<path style=\"fill:" << colour[cell.curve] << ";fill-opacity:0.25\" d=\"";
     const char* command = "M";
-    for (const Xy<double>& p : ba::cell_polygon(curves, found.axis, cell, PER_PIECE)) {
+    for (const Xy<double>& p : cell.polygon(curves, found.axis, PER_PIECE)) {
       out << command << sheet.view(p);
       command = "L";
     }

@@ -114,7 +114,7 @@ void draw_scale(std::ostream& out, const Found_thickness& found, const Sheet& sh
 }  // namespace
 
 void draw_thickness(std::ostream& out, const Found_thickness& found) {
-  const CGAL::Bbox_2 all = ba::control_box(found.loaded.curves->drawing());
+  const CGAL::Bbox_2 all = found.loaded.curves->drawing().control_box();
   Box box;
   box.add({all.xmin(), all.ymin()}), box.add({all.xmax(), all.ymax()});
   const Sheet sheet(box, found.loaded.flips);

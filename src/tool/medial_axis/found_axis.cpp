@@ -31,7 +31,7 @@ static void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
   const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
   double margin = words.margin;
   if (margin == 0) {
-    const CGAL::Bbox_2 box = ba::control_box(drawing);
+    const CGAL::Bbox_2 box = drawing.control_box();
     margin = SHARE * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
     if (margin == 0) margin = 1;  // about a point
   }

@@ -25,7 +25,7 @@ inline constexpr double DEGREE = 3.14159265358979323846 / 180;
 /// An axis and what it is of.
 struct Found_axis {
   ba::Medial_axis_2 axis;
-  std::optional<ba::Axis_certificate> proof;
+  std::optional<ba::Medial_axis_2::Certificate> proof;
   std::vector<std::vector<ba::Medial_axis_2::Conic>> conics;  ///< of each edge, where asked for
 };
 

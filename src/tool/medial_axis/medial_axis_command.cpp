@@ -90,10 +90,11 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
     place(middle.right);
     out << "]";
     if (found.proof) {
-      const ba::Axis_certificate::Edge& proven = found.proof->edges[static_cast<std::size_t>(&e - axis.edges.data())];
-      const bool is_proven = proven.status == ba::Axis_certificate::Status::PROVEN;
+      const ba::Medial_axis_2::Certificate::Edge& proven =
+          found.proof->edges[static_cast<std::size_t>(&e - axis.edges.data())];
+      const bool is_proven = proven.status == ba::Medial_axis_2::Certificate::Status::PROVEN;
       out << ",\"status\":\"" << (is_proven ? "PROVEN" : "ESTIMATED") << "\"";
-      if (!is_proven) out << ",\"reason\":\"" << ba::name_of(proven.reason) << "\"";
+      if (!is_proven) out << ",\"reason\":\"" << ba::Medial_axis_2::Certificate::name_of(proven.reason) << "\"";
       if (std::isfinite(proven.bound)) out << ",\"bound\":" << number(proven.bound);
     }
     out << ",\"polyline\":[";

@@ -35,8 +35,8 @@ void write_checked_json(std::ostream& out, const ba::Axis_verification& v) {
       << ",\"findings\":[";
   const char* separator = "\n";
   for (const ba::Axis_verification::Finding& f : v.findings) {
-    out << separator << "{\"fault\":\"" << ba::name_of(f.fault) << "\",\"place\":" << json_string(f.place)
-        << ",\"amount\":" << number(f.amount) << "}";
+    out << separator << "{\"fault\":\"" << ba::Axis_verification::name_of(f.fault)
+        << "\",\"place\":" << json_string(f.place) << ",\"amount\":" << number(f.amount) << "}";
     separator = ",\n";
   }
   out << "]}\n";
@@ -54,7 +54,7 @@ void write_checked_table(std::ostream& out, const ba::Axis_verification& v) {
   if (v.is_right()) out << "right\n";
   else out << v.faults << " faults\n";
   for (const ba::Axis_verification::Finding& f : v.findings) {
-    out << "  " << ba::name_of(f.fault) << " " << f.place;
+    out << "  " << ba::Axis_verification::name_of(f.fault) << " " << f.place;
     if (f.amount != 0) out << ", " << digits(f.amount);
     out << "\n";
   }

@@ -20,7 +20,7 @@ Json json_of(const ba::Measure_bounds& m) { return Json::array({m.lower, m.upper
 
 Mark mark_of(const Bounding_arc_tree_2& curves, const ba::Convex_hull<>::Piece& piece) {
   constexpr int SAMPLES = 32;
-  if (piece.kind == ba::Hull_piece_kind::BITANGENT) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
+  if (piece.is_bitangent) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
   Mark mark{Mark::STRONG_LINE, {}};
   const auto& bezier = curves.drawing().curves()[piece.from.curve].beziers[piece.from.bezier];
   for (int i = 0; i <= SAMPLES; ++i)
@@ -56,7 +56,7 @@ Query_answer hull_query(const Query_drawing& drawing, double eps) {
   answer.columns = {"piece", "x from", "y from", "place from", "t from", "x to", "y to", "place to", "t to"};
   Json pieces = Json::array();
   for (const ba::Convex_hull<>::Piece& p : hull.pieces) {
-    const char* type = p.kind == ba::Hull_piece_kind::CURVE ? "curve" : "segment";
+    const char* type = p.is_bitangent ? "segment" : "curve";
     const auto end = [&](const Xy<double>& point, const Curve_place& place) {
       return Json{{"point", bounding_arcs_tool::json_of(point)}, {"place", bounding_arcs_tool::json_of(curves, place)}};
     };

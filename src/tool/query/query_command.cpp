@@ -159,7 +159,7 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
   if (open > 0) {
     ba::Curve_file::Note note = loose_ends(all.curves->drawing()).note();
     if (is_unknown) note.reason = "perhaps filled by a style sheet, which is not read";
-    if (words.skips_open) tell(file, "left out: " + text_of(note));
+    if (words.skips_open) tell(file, "left out: " + ba::Curve_file::text_of(note));
     else read.notes.push_back(std::move(note));
   }
   tell_notes(file, read.notes, words);

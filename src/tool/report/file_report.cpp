@@ -23,7 +23,7 @@ constexpr std::size_t SHARES = 4;
 Box box_of(const std::vector<Loaded_curve>& curves) {
   Box box;
   for (const Loaded_curve& curve : curves)
-    for (const auto& bezier : bezier_pieces<double>(curve.record)) box.add(bezier);
+    for (const auto& bezier : curve.record.bezier_pieces<double>()) box.add(bezier);
   return box;
 }
 
@@ -81,7 +81,7 @@ std::optional<Drawing> drawing_of(const std::vector<Loaded_curve>& curves, std::
     drawing.curves += (i > 0 ? ",\n{" : "{") + ("\"name\":" + page_string(curve.record.name)) +
                       ",\"beziers\":" + std::to_string(curve.segmented->number_of_beziers()) +
                       ",\"spirals\":" + std::to_string(curve.segmented->number_of_spirals()) + ",\"pieces\":" +
-                      list(bezier_pieces<double>(curve.record),
+                      list(curve.record.bezier_pieces<double>(),
                            [&](const Bezier_curve_2<double>& bezier) { return piece_json(scale, bezier); }) +
                       ",\"ends\":" + (ends.empty() ? "[]" : ends) + ",\"nodes\":[" + nodes + "]}";
     if (drawing.curves.size() > room) return std::nullopt;
@@ -165,7 +165,7 @@ std::string file_json(const std::string& file, CGAL::Bounding_arcs::Curve_file&&
   const bool flips =
       std::any_of(curves.begin(), curves.end(), [](const Loaded_curve& c) { return !c.record.y_is_down; });
   std::vector<std::string> notes;
-  if (!read.notes.empty()) notes.push_back("In the file: " + text_of(read.notes) + ".");
+  if (!read.notes.empty()) notes.push_back("In the file: " + ba::Curve_file::text_of(read.notes) + ".");
   if (options.eps.empty()) {
     options.eps = tolerances_of(box);
     const std::size_t asked = options.eps.size();

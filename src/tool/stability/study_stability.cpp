@@ -100,7 +100,7 @@ void add_pieces(const std::string& file, const Curve_record& record, std::vector
   const auto add = [&](const Bezier_spiral_2<double>& spiral, double t0, double t1) {
     pieces.push_back({record.delta > 0 ? "own" : "curves", record.delta, spiral, t0, t1});
   };
-  for (const Bezier_curve_2<double>& curve : bezier_pieces<double>(record)) {
+  for (const Bezier_curve_2<double>& curve : record.bezier_pieces<double>()) {
     if (record.part.empty()) {
       for (const Bezier_spiral_2<double>& spiral : served(file, record.name, [&] { return spiral_segments(curve); }))
         add(spiral, spiral.first(), spiral.last());
@@ -125,7 +125,7 @@ std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
     for (const Curve_record& record : read.curves) add_pieces(name_of_file(file), record, pieces);
   }
   if (!options.curve.empty())
-    for (const Curve_record& record : read_curves_from_text(options.curve, "--curve", "curve"))
+    for (const Curve_record& record : ba::Curve_file::from_text(options.curve, "--curve", "curve").curves)
       add_pieces("--curve", record, pieces);
   std::stable_sort(pieces.begin(), pieces.end(), [](const Study_piece& a, const Study_piece& b) {
     if (a.family != b.family) return a.family < b.family;

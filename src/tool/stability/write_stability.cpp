@@ -18,7 +18,7 @@
 namespace bounding_arcs_tool {
 namespace {
 
-using CGAL::Bounding_arcs::Instruction_set;
+using CGAL::Bounding_arcs::Build_options;
 using CGAL::Bounding_arcs::Stability_row;
 
 // The members of a curve's object behind its name.
@@ -59,8 +59,8 @@ std::string name_of_curve(const Stability_row& row) {
 }
 
 const char* best_instruction_set() {
-  if (is_available(Instruction_set::AVX512)) return "avx512";
-  return is_available(Instruction_set::AVX2) ? "avx2" : "base";
+  if (Build_options::is_available(Build_options::Instruction_set::AVX512)) return "avx512";
+  return Build_options::is_available(Build_options::Instruction_set::AVX2) ? "avx2" : "base";
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ double arc_deviation(const Gcode_setup& setup, const Gcode_place& from, const Gc
   double turn = std::atan2(cross(arm, end), dot(arm, end));  // of a controller: a whole one where it is none
   if (move.motion == 2) turn = -turn;
   if (turn <= 0) turn += TURN;
-  const double missed = std::fabs(turn - std::fabs(2 * ba::half_turn(part)));
+  const double missed = std::fabs(turn - std::fabs(2 * part.half_turn()));
   if (missed > 1 || missed * radius > TURN_ERROR) return INFINITE;
   return ba::euclidean_norm(center - ba::center(part)) +
          (std::max)(std::fabs(first - radius), std::fabs(last - radius));

@@ -51,7 +51,7 @@ double area_of(const Tool_pass& closed) {
   const Xy<double> origin = closed.from();
   for (const Arc_2& piece : closed.pieces) {
     twice += cross(piece.from - origin, piece.to - origin);
-    const double turn = 2 * ba::half_turn(piece);
+    const double turn = 2 * piece.half_turn();
     if (piece.bulge != 0 && piece.from != piece.to)
       twice += (turn - std::sin(turn)) * std::pow(ba::radius(piece), 2);  // of the arc and its chord
   }

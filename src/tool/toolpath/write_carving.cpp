@@ -93,7 +93,7 @@ void draw_tool(std::ostream& out, const std::vector<Tool_pass>& passes, const Vi
 
 void draw_carving(std::ostream& out, const V_carving& carving, const CGAL::Bounding_arcs::Drawing_2<double>& curves,
                   bool flips) {
-  const CGAL::Bbox_2 all = CGAL::Bounding_arcs::control_box(curves);
+  const CGAL::Bbox_2 all = curves.control_box();
   Box box;
   box.add({all.xmin(), all.ymin()}), box.add({all.xmax(), all.ymax()});
   const Sheet sheet(box, flips);

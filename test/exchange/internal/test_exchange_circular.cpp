@@ -45,7 +45,7 @@ template <class K> const typename K::Circular_arc_2& arc_in(const typename Trait
 }
 template <class K> auto parts_of(const Arc_2& arc) {
   std::vector<typename Traits<K>::X_monotone_curve_2> parts;
-  x_monotone_line_arcs<K>(circular_line_curve<K>(arc), std::back_inserter(parts));
+  x_monotone_parts<Traits<K>>(circular_line_curve<K>(arc), std::back_inserter(parts));
   return parts;
 }
 

@@ -224,8 +224,8 @@ TEST(CubicRoots, AreThoseOfThePlainAlgorithm) {
 TEST(CubicRoots, OfBundledCurvesAreAllKnown) {
   for (const auto& file : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA)) {
     if (file.path().extension() != ".json") continue;
-    for (const Curve_record& record : read_curves(file.path().string()))
-      for (const auto& piece : bezier_pieces<double>(record)) EXPECT_EQ(expect_same_roots(piece), NUMERATOR_COUNT);
+    for (const Curve_record& record : read_curve_file(file.path().string()).curves)
+      for (const auto& piece : record.bezier_pieces<double>()) EXPECT_EQ(expect_same_roots(piece), NUMERATOR_COUNT);
   }
 }
 

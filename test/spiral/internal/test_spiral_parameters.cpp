@@ -400,7 +400,7 @@ TEST(SpiralParameters, TurnsAwayNumbersThatAreNotFinite) {
 }
 
 TEST(ServedCurves, HaveWeightsWhoseProductsAreNumbers) {
-  const auto weighed = [](double w0, double w1) { check_served(curve({0, 1, 2}, {0, 1, 4}, {w0, w1, w0})); };
+  const auto weighed = [](double w0, double w1) { internal::check_served(curve({0, 1, 2}, {0, 1, 4}, {w0, w1, w0})); };
   EXPECT_NO_THROW(weighed(0x1p-500, 0x1p-460));
   EXPECT_NO_THROW(weighed(0x1p500, 0x1p460));
   EXPECT_THROW(weighed(0x1p-501, 0x1p-500), std::invalid_argument);

@@ -35,7 +35,7 @@ constexpr mpfr_prec_t PRECISION = 2048;
 template <class Construction> Mpfr_interval exact_thickness(const Piece& piece) {
   const auto shape = piece.spiral.shape<Exact>(piece.t0, piece.t1, {Construction::NEEDS_CURVATURE, false});
   return Construction().thickness(
-      convert_shape<Mpfr_interval>(shape, [](const Exact& x) { return Mpfr_interval(x, PRECISION); }));
+      shape.template over<Mpfr_interval>([](const Exact& x) { return Mpfr_interval(x, PRECISION); }));
 }
 
 enum class Form { NARROW, WIDE, ROUGH };

@@ -30,7 +30,7 @@ namespace test_batches {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Instruction_set;
+using Instruction_set = ba::Build_options::Instruction_set;
 using ba::filter::Batch_decision;
 using ba::filter::Batch_pieces;
 
@@ -91,7 +91,7 @@ void expect_same(const Answer& a, const Answer& b, std::size_t count) {
 // The sets of this machine and build, which may be BASE alone.
 TYPED_TEST(Batches, AreTheSameBitsInAllInstructionSets) {
   for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
-    if (!ba::is_available(set)) continue;
+    if (!ba::Build_options::is_available(set)) continue;
     SCOPED_TRACE(static_cast<int>(set));
     for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
       expect_same(answer<TypeParam>(set, spiral, pieces, eps),
@@ -191,7 +191,7 @@ TYPED_TEST(Batches, DecideFirstLevelsSideBySideAsPieceByPiece) {
   std::shuffle(spirals.begin(), spirals.end(), random);
   std::size_t levels = 0, above = 0, within = 0, unknown = 0, loose = 0, out_of_reach = 0;
   for (const Instruction_set set : {Instruction_set::BASE, Instruction_set::AVX2, Instruction_set::AVX512}) {
-    if (!ba::is_available(set)) continue;
+    if (!ba::Build_options::is_available(set)) continue;
     const auto functions = ba::filter::Batch_functions::of<Formula>(set);
     for (const double eps : {1e-2, 1e-4, 1e-6, 1e-12, 1e-30})
       for (const bool are_kept : {false, true}) {
@@ -199,7 +199,7 @@ TYPED_TEST(Batches, DecideFirstLevelsSideBySideAsPieceByPiece) {
         ahead.decide(functions, spirals.data(), spirals.size(), eps, are_kept);
         for (const Spiral& spiral : spirals) {
           const ba::filter::Segment_top top = ahead.top(spiral);
-          const ba::Spiral_grid grid(spiral.first(), spiral.last());
+          const ba::internal::Spiral_grid grid(spiral.first(), spiral.last());
           const ba::Local_curve curve = spiral.local_curve();
           double largest = 0;
           std::uint64_t there = 1;
@@ -241,7 +241,7 @@ TYPED_TEST(Batches, DecideFirstLevelsSideBySideAsPieceByPiece) {
 TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, 1}, {0, -1}, {1, 1}}));
   const Spiral spiral(curve, 0.5, 0.5 + 0x1p-46, {}, false);
-  const int levels = ba::Spiral_grid(spiral.first(), spiral.last()).levels();
+  const int levels = ba::internal::Spiral_grid(spiral.first(), spiral.last()).levels();
   ASSERT_TRUE(levels > 3 && levels <= 6) << levels;  // a batch
   const ba::Bca_traits_2<Kernel> traits;
   const auto bound = traits.bound_thickness_2_object();

@@ -89,7 +89,7 @@ TEST(Cuts, AreThoseOfTheTreeInOtherUnits) {
     const Bounding_arc_tree_2 tree(small), large(random_drawing(random));
     EXPECT_EQ(cuts_of([&] { (void)ba::distance(tree, large); }), 0U);
     EXPECT_EQ(cuts_of([&] { (void)ba::overlay(tree, large); }), 0U) << i;
-    const auto again = tree.in_unit(ba::Unit());
+    const auto again = tree.in_unit(ba::internal::Unit());
     const ba::Segment_hierarchy cut(std::make_shared<const Drawing>(small), ba::Decisions::EXACT);
     ASSERT_EQ(again->number_of_segments(), cut.number_of_segments());
     for (std::uint32_t s = 0; s < cut.number_of_segments(); ++s) {

@@ -3,11 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Nodes packed into words, against the same ones kept one by one: whatever their number and place, each has the bit and
-// the thickness it was given, and the number of split ones before it.
+// the thickness it was given, and the number of split ones before it. The parameters of halves.
 
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 
 #include <gtest/gtest.h>
 
@@ -217,6 +218,24 @@ TEST(RegionNodes, HaveNoRankLeftFromBefore) {
     nodes.append_random(61);
     nodes.expect_kept();
   }
+}
+
+// Also where the difference of both ends is rounded down, and from their sum they are not had back.
+TEST(SpiralGrid, EndsWhereTheSegmentDoes) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit;
+  int rounded = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double first = unit(random) / 2, last = (1 + unit(random)) / 2;
+    const CGAL::Bounding_arcs::internal::Spiral_grid grid(first, last);
+    rounded += first + (last - first) < last;
+    for (int level = 0; level <= grid.levels(); ++level) {
+      EXPECT_EQ(grid.parameter(level, 0), first);
+      EXPECT_EQ(grid.parameter(level, std::uint64_t(1) << level), last) << level;
+      EXPECT_LT(grid.parameter(level, (std::uint64_t(1) << level) - 1), last) << level;
+    }
+  }
+  EXPECT_GT(rounded, 0);
 }
 
 }  // namespace

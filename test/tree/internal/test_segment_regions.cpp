@@ -21,7 +21,7 @@ namespace test_segment_regions {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Instruction_set;
+using Instruction_set = ba::Build_options::Instruction_set;
 using ba::Region_columns;
 using ba::internal::Region_source;
 using ba::internal::Segment_regions;

@@ -69,7 +69,7 @@ template <class Traits> void expect_same_nodes(const std::vector<double>& tolera
     for (const double eps : tolerances)
       for (const Build_options::Nodes kind : {Build_options::Nodes::STORED, Build_options::Nodes::EQUALIZED}) {
         Build_options with = nodes_of_kind(kind), without = with, plain = with;
-        without.instruction_set = ba::Instruction_set::NONE;
+        without.instruction_set = ba::Build_options::Instruction_set::NONE;
         plain.is_filtered = false;
         const auto filtered = nodes<Traits>(c, eps, with);
         EXPECT_EQ(filtered, nodes<Traits>(c, eps, plain)) << c.name << ", eps " << eps;

@@ -41,16 +41,15 @@ namespace CGAL::Bounding_arcs {
 struct Arc_2 {
   Xy<double> from, to;
   double bulge = 0;
+
+  /// Tells whether ends and bulge are numbers, and the bulge is one of at most half a circle.
+  [[nodiscard]] bool is_valid() const {
+    return std::isfinite(from.x) && std::isfinite(from.y) && std::isfinite(to.x) && std::isfinite(to.y) &&
+           std::fabs(bulge) <= 1;
+  }
+  /// The angle 2 atan b between the chord and the tangents at the ends, half of what the arc turns by.
+  [[nodiscard]] double half_turn() const { return 2 * std::atan(bulge); }
 };
-
-/// Tells whether ends and bulge are numbers, and the bulge is one of at most half a circle.
-[[nodiscard]] inline bool is_valid(const Arc_2& arc) {
-  return std::isfinite(arc.from.x) && std::isfinite(arc.from.y) && std::isfinite(arc.to.x) && std::isfinite(arc.to.y) &&
-         std::fabs(arc.bulge) <= 1;
-}
-
-/// The angle 2 atan b between the chord and the tangents at the ends, half of what the arc turns by.
-[[nodiscard]] inline double half_turn(const Arc_2& arc) { return 2 * std::atan(arc.bulge); }
 
 /// Signed curvature of the arc with a bulge over a chord, positive for a left turn. \pre the chord has a length
 /// \guarantee within 6.2 u of itself, proven by test/gappa/arc_curvature.g
@@ -90,7 +89,7 @@ template <class NT> [[nodiscard]] NT curvature(const Xy<NT>& chord, const NT& bu
 /// \guarantee within 21 u L and half an ulp of the result
 [[nodiscard]] inline Xy<double> point(const Arc_2& arc, double s) {
   const bool is_near_start = s <= 0.5;
-  const double share = is_near_start ? s : 1 - s, phi = half_turn(arc);
+  const double share = is_near_start ? s : 1 - s, phi = arc.half_turn();
   const double part = arc.bulge == 0 ? share : std::sin(share * phi) / std::sin(phi), turn = (1 - share) * phi;
   const Xy<double> chord = arc.to - arc.from;
   const Xy<double> along = (part * std::cos(turn)) * chord, across = (part * std::sin(turn)) * perp(chord);
@@ -103,7 +102,7 @@ template <class NT> [[nodiscard]] NT curvature(const Xy<NT>& chord, const NT& bu
 ///   sum 3 u
 [[nodiscard]] inline Xy<double> tangent(const Arc_2& arc, double s) {
   CGAL_precondition(arc.from != arc.to);
-  const double turn = (2 * s - 1) * half_turn(arc), c = std::cos(turn), d = std::sin(turn);
+  const double turn = (2 * s - 1) * arc.half_turn(), c = std::cos(turn), d = std::sin(turn);
   const Xy<double> chord = arc.to - arc.from;
   return (1 / euclidean_norm(chord)) * (c * chord + d * perp(chord));
 }

@@ -57,9 +57,11 @@ inline std::ostream& operator<<(std::ostream& out, const Arr_point_2& p) {
 /// \endcode
 class Arr_curve_2 {
  public:
+  class Part;  ///< monotone in x, or upright and monotone in y
+
   Arr_curve_2() = default;
   /// \param curve, piece what curve() and piece() tell of it
-  /// \throws std::invalid_argument for curves out of the range of check_served
+  /// \throws std::invalid_argument for curves out of the range that is served (served_range.h)
   explicit Arr_curve_2(const Bezier_curve_2<double>& bezier, std::size_t curve = 0, std::size_t piece = 0)
       : data_(std::make_shared<internal::Arranged_curve>(bezier, curve, piece)) {}
 
@@ -70,7 +72,6 @@ class Arr_curve_2 {
   [[nodiscard]] const internal::Arranged_curve_handle& data() const { return data_; }
 
  private:
-  friend class Arr_x_monotone_curve_2;
   explicit Arr_curve_2(internal::Arranged_curve_handle data) : data_(std::move(data)) {}
   internal::Arranged_curve_handle data_;
 };
@@ -86,10 +87,10 @@ class Arr_curve_2 {
 
 /// A part of a Bezier piece that is monotone in x, or upright and monotone in y.
 /// \code
-/// const Arr_x_monotone_curve_2& part = edge->curve();
+/// const Arr_curve_2::Part& part = edge->curve();
 /// std::cout << part.curve().piece() << ": " << part.left_parameter().lower << '\n';
 /// \endcode
-class Arr_x_monotone_curve_2 {
+class Arr_curve_2::Part {
  public:
   /// An end of a part of a curve.
   struct End {
@@ -97,10 +98,10 @@ class Arr_x_monotone_curve_2 {
     Bracket t;  ///< holds the parameter
   };
 
-  Arr_x_monotone_curve_2() = default;
+  Part() = default;
   /// For functors of the traits.
   /// \param branch which monotone part of the whole piece it is of, and whether parameters rise to the right there
-  Arr_x_monotone_curve_2(internal::Arranged_curve_handle curve, std::size_t branch, bool is_rising, End left, End right)
+  Part(internal::Arranged_curve_handle curve, std::size_t branch, bool is_rising, End left, End right)
       : curve_(std::move(curve)), branch_(branch), left_(std::move(left)), right_(std::move(right)),
         is_rising_(is_rising), is_directed_right_(is_rising) {}
 
@@ -123,14 +124,14 @@ class Arr_x_monotone_curve_2 {
   [[nodiscard]] const internal::Arranged_curve_handle& data() const { return curve_; }
   [[nodiscard]] std::size_t branch() const { return branch_; }
   /// Runs through the same points the other way.
-  [[nodiscard]] Arr_x_monotone_curve_2 opposite() const {
-    Arr_x_monotone_curve_2 result = *this;
+  [[nodiscard]] Part opposite() const {
+    Part result = *this;
     result.is_directed_right_ = !is_directed_right_;
     return result;
   }
   /// The part between two points of it, lexicographically.
-  [[nodiscard]] Arr_x_monotone_curve_2 part(const End& left, const End& right) const {
-    Arr_x_monotone_curve_2 result = *this;
+  [[nodiscard]] Part part(const End& left, const End& right) const {
+    Part result = *this;
     result.left_ = left;
     result.right_ = right;
     return result;
@@ -144,7 +145,7 @@ class Arr_x_monotone_curve_2 {
 };
 
 /// Writes about where it starts and ends.
-inline std::ostream& operator<<(std::ostream& out, const Arr_x_monotone_curve_2& c) {
+inline std::ostream& operator<<(std::ostream& out, const Arr_curve_2::Part& c) {
   return out << c.source() << ' ' << c.target();
 }
 

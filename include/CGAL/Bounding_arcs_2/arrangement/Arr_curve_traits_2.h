@@ -50,7 +50,7 @@ class Arr_curve_traits_2 {
  public:
   using Point_2 = Arr_point_2;
   using Curve_2 = Arr_curve_2;
-  using X_monotone_curve_2 = Arr_x_monotone_curve_2;
+  using X_monotone_curve_2 = Arr_curve_2::Part;
   using Multiplicity = unsigned int;
 
   using Has_left_category = Tag_true;
@@ -153,7 +153,7 @@ class Arr_curve_traits_2 {
     /// \pre p is on the curve, and no end of it
     void operator()(const X_monotone_curve_2& c, const Point_2& p, X_monotone_curve_2& left,
                     X_monotone_curve_2& right) const {
-      const Arr_x_monotone_curve_2::End at{p, internal::parameter_at(c, p)};
+      const Arr_curve_2::Part::End at{p, internal::parameter_at(c, p)};
       const X_monotone_curve_2 whole = c;
       left = whole.part(whole.left_end(), at);
       right = whole.part(at, whole.right_end());

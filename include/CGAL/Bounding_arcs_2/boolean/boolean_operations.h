@@ -22,14 +22,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// What of several drawings makes a region.
-enum class Boolean_operation : std::uint8_t {
-  UNION,                ///< what any of them fills
-  INTERSECTION,         ///< what all of them fill
-  DIFFERENCE,           ///< what the first one fills and none of the others
-  SYMMETRIC_DIFFERENCE  ///< what an odd number of them fills
-};
-
 /// The boundary of a region, as unite(), intersection(), difference() and symmetric_difference() return it: closed
 /// chains with the region to their left.
 /// \code
@@ -49,6 +41,14 @@ enum class Boolean_operation : std::uint8_t {
 /// all faces and not one region.
 struct Outline_2 {
   using Status = Overlay_2::Status;
+
+  /// What of several drawings makes a region.
+  enum class Operation : std::uint8_t {
+    UNION,                ///< what any of them fills
+    INTERSECTION,         ///< what all of them fill
+    DIFFERENCE,           ///< what the first one fills and none of the others
+    SYMMETRIC_DIFFERENCE  ///< what an odd number of them fills
+  };
 
   /// A part of one Bezier piece.
   struct Part {
@@ -79,6 +79,8 @@ struct Outline_2 {
     }
   };
 
+  struct Drawn;  ///< an outline as a drawing, below
+
   std::vector<Chain> chains;
   Status status = Status::COMPLETE;
   std::optional<Overlay_2::Undecided> undecided;  ///< the first one, where `status` is UNDECIDED and that is known
@@ -92,10 +94,10 @@ struct Outline_2 {
 
 /// An outline as a drawing in doubles, and what that is of.
 /// \code
-/// const Drawn_outline rest = drawn_outline({&a, &b}, difference(a, b));
+/// const Outline_2::Drawn rest = drawn_outline({&a, &b}, difference(a, b));
 /// std::cout << rest.drawing.curves().size() << " curves, moved by " << rest.moved << " at most\n";
 /// \endcode
-struct Drawn_outline {
+struct Outline_2::Drawn {
   /// How an outline becomes a drawing.
   struct Options {
     /// Leaves out what is within rounding of nothing. A part may be within rounding of a point, or go back along the
@@ -111,7 +113,7 @@ struct Drawn_outline {
 };
 
 /// Returns the boundary of what the closed curves of several trees fill together:
-/// boolean_operation({&a, &b, &c}, Boolean_operation::UNION).
+/// boolean_operation({&a, &b, &c}, Outline_2::Operation::UNION).
 /// \param operation what of them makes the region; the first tree is the one that others are subtracted from
 /// \param rules what the curves of all trees fill, or of each tree in turn
 /// \return chains of parts of the given curves, with the region to their left. Curves that run together are one part
@@ -122,47 +124,41 @@ struct Drawn_outline {
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap
 [[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                          Boolean_operation operation, const Fill_rules& rules = Fill_rule::NONZERO);
+                                          Outline_2::Operation operation, const Fill_rules& rules = Fill_rule::NONZERO);
 
 /// Returns the boundary of what a tree's curves fill, without crossings. See boolean_operation.
 [[nodiscard]] inline Outline_2 outline(const Bounding_arc_tree_2& tree, const Fill_rules& rules = Fill_rule::NONZERO) {
-  return boolean_operation({&tree}, Boolean_operation::UNION, rules);
+  return boolean_operation({&tree}, Outline_2::Operation::UNION, rules);
 }
 /// Returns the boundary of what either tree fills. See boolean_operation.
 [[nodiscard]] inline Outline_2 unite(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
                                      const Fill_rules& rules = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::UNION, rules);
+  return boolean_operation({&a, &b}, Outline_2::Operation::UNION, rules);
 }
 /// Returns the boundary of what both trees fill. See boolean_operation.
 [[nodiscard]] inline Outline_2 intersection(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
                                             const Fill_rules& rules = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::INTERSECTION, rules);
+  return boolean_operation({&a, &b}, Outline_2::Operation::INTERSECTION, rules);
 }
 /// Returns the boundary of what the first tree fills and the second one does not. See boolean_operation.
 [[nodiscard]] inline Outline_2 difference(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
                                           const Fill_rules& rules = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::DIFFERENCE, rules);
+  return boolean_operation({&a, &b}, Outline_2::Operation::DIFFERENCE, rules);
 }
 /// Returns the boundary of what one tree fills and not the other. See boolean_operation.
 [[nodiscard]] inline Outline_2 symmetric_difference(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
                                                     const Fill_rules& rules = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rules);
+  return boolean_operation({&a, &b}, Outline_2::Operation::SYMMETRIC_DIFFERENCE, rules);
 }
 
-/// Returns an outline as a drawing, outline_drawing({&a, &b}, unite(a, b)): curve i is chain i, made of Bezier pieces
-/// that are parts of the given ones.
-/// \param trees those that the outline was made of, in their order
-/// \guarantee topology and sources are the outline's; coordinates are rounded, as parts of curves are cut in doubles
-[[nodiscard]] Drawing_2<double> outline_drawing(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                                const Outline_2& outline);
-
-/// Returns an outline as a drawing that can be written, read and combined again, and how far rounding moved it.
+/// Returns an outline as a drawing that can be written, read and combined again, and how far rounding moved it:
+/// drawn_outline({&a, &b}, unite(a, b)). Its curves are chains, made of Bezier pieces that are parts of the given ones.
 /// \param trees those that the outline was made of, in their order
 /// \guarantee `moved` is certified. It counts the brackets of ends, the rounding of cuts, and that of trees whose
 ///   numbers are no doubles. Points of the plane that are farther than that from the outline keep their side
 /// \complexity linear in the number of parts
-[[nodiscard]] Drawn_outline drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees,
-                                          const Outline_2& outline, const Drawn_outline::Options& options = {});
+[[nodiscard]] Outline_2::Drawn drawn_outline(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                             const Outline_2& outline, const Outline_2::Drawn::Options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIP_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIP_H
 
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
@@ -37,6 +38,10 @@ struct Clipped_2 {
     Xy<double> start, end;                  ///< these points but for rounding; parts of a piece share them bit for bit
     Bounded_side side = ON_UNBOUNDED_SIDE;  ///< on the boundary: along a curve of the region, whatever that fills
 
+    /// Returns the part as a curve: cut out in doubles, with the part's ends bit for bit.
+    /// \param drawing that of the tree that was clipped
+    [[nodiscard]] Bezier_curve_2<double> cut_from(const Drawing_2<double>& drawing) const;
+
     /// Writes the members in their order, with a blank between.
     friend std::ostream& operator<<(std::ostream& out, const Part& answer) {
       return out << answer.curve << ' ' << answer.bezier << ' ' << answer.from << ' ' << answer.to << ' '
@@ -65,10 +70,6 @@ struct Clipped_2 {
 /// \complexity that of intersections, and log n for each part but for what a ray from it crosses
 [[nodiscard]] Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& region,
                              Fill_rule rule = Fill_rule::NONZERO);
-
-/// Returns a part as a curve: cut out in doubles, with the part's ends bit for bit.
-/// \param drawing that of the tree that was clipped
-[[nodiscard]] Bezier_curve_2<double> curve_of(const Drawing_2<double>& drawing, const Clipped_2::Part& part);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -60,7 +60,8 @@ struct Arc_chain {
     Continuity continuity = Continuity::TANGENT;
     Side side = Side::BOTH;
     std::size_t max_arcs = 20'000'000;
-    Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
+    Build_options::Instruction_set instruction_set =
+        Build_options::Instruction_set::BEST;  ///< results do not depend on it
   };
 
   std::vector<Arc> arcs;  ///< in curve order
@@ -80,7 +81,7 @@ template <class NT> class Bezier_spiral_2;
 /// \param eps the largest error of an arc, in units of the coordinates, positive
 /// \return a chain whose status is COMPLETE when every error is at most eps; RESOLUTION_REACHED when eps is below what
 ///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
-/// \throws std::invalid_argument for an eps that is not positive, and for curves out of the range of check_queried
+/// \throws std::invalid_argument for an eps that is not positive, and for curves out of the range of queries
 /// \guarantee certified: an arc's error is at least the Frechet distance, hence the Hausdorff distance, between the arc
 ///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included. Only an error that could be
 ///   brought neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it

@@ -16,12 +16,55 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+/// The point of a curve and the first two derivatives there.
+template <class NT> struct End_jet_2 { Xy<NT> point, first, second; };
+
+namespace internal {
+/// Taylor coefficients b_k = binomial(degree, k) Delta^k about t of a Bernstein polynomial, k = 0 .. count - 1.
+template <class NT, class T>
+[[nodiscard]] std::vector<T> taylor_coefficients(std::vector<T> row, const NT& t, std::size_t count) {
+  const std::size_t n = row.size();
+  std::vector<T> result;
+  NT binomial(1);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k >= n) {
+      result.emplace_back();
+      continue;
+    }
+    std::vector<T> p = row;
+    for (std::size_t m = p.size() - 1; m > 0; --m)
+      for (std::size_t i = 0; i < m; ++i) p[i] = NT(NT(1) - t) * p[i] + t * p[i + 1];
+    result.push_back(binomial * p.front());
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) row[i] = row[i + 1] - row[i];
+    row.pop_back();
+    binomial = NT(binomial * NT(static_cast<int>(n - 1 - k)) / NT(static_cast<int>(k + 1)));
+  }
+  return result;
+}
+
+/// Numbers over another type: exactly if Target holds them.
+template <class Target, class NT> [[nodiscard]] std::vector<Target> numbers_over(const std::vector<NT>& numbers) {
+  std::vector<Target> result;
+  result.reserve(numbers.size());
+  for (const NT& x : numbers) result.push_back(Target(x));
+  return result;
+}
+/// Points over another type, likewise.
+template <class Target, class NT> [[nodiscard]] std::vector<Xy<Target>> points_over(const std::vector<Xy<NT>>& points) {
+  std::vector<Xy<Target>> result;
+  result.reserve(points.size());
+  for (const Xy<NT>& p : points) result.push_back({Target(p.x), Target(p.y)});
+  return result;
+}
+}  // namespace internal
 
 /// A polynomial or rational Bezier curve of any degree from 1: sum w_i P_i B_i(t) / sum w_i B_i(t), t in [0,1]. Control
 /// points are Euclidean. Its numbers never change, and copies share them.
@@ -63,6 +106,12 @@ template <class NT> class Bezier_curve_2 {
   [[nodiscard]] const std::vector<NT>& weights() const { return numbers_->weights; }
   [[nodiscard]] NT weight(int i) const { return is_rational() ? weights()[static_cast<std::size_t>(i)] : NT(1); }
 
+  /// Converts to another number type: exactly if Target holds its numbers.
+  template <class Target> [[nodiscard]] Bezier_curve_2<Target> over() const {
+    return Bezier_curve_2<Target>(internal::points_over<Target>(control_points()),
+                                  internal::numbers_over<Target>(weights()));
+  }
+
   /// The point at parameter t; at t = 0 and t = 1 the end control points themselves.
   /// \guarantee exact over a field; over double, in each coordinate within 3 degree u max|P| of the true
   ///   point for t in [0,1] and a polynomial curve (de Casteljau: convex combinations only; cubic_point)
@@ -72,6 +121,66 @@ template <class NT> class Bezier_curve_2 {
     if (t == NT(0)) return p.front();
     if (t == NT(1)) return p.back();
     return p.size() == 4 && !is_rational() ? cubic_point(p.data(), t) : any_point(t);
+  }
+
+  /// The Taylor coefficients C^(k)(t) / k!, k = 0 .. order.
+  /// \guarantee exact over a field; over double each is a sum of differences of the control points
+  /// \source rational curves by the quotient recurrence: Piegl and Tiller 1997, algorithm A4.2
+  [[nodiscard]] std::vector<Point> taylor_expansion(const NT& t, int order) const {
+    const auto count = static_cast<std::size_t>(order) + 1;
+    if (!is_rational()) return internal::taylor_coefficients(control_points(), t, count);
+    std::vector<Point> numerator;
+    const Point origin = control_points().front();  // keeps the products small
+    for (std::size_t i = 0; i < control_points().size(); ++i)
+      numerator.push_back(weights()[i] * (control_points()[i] - origin));
+    const auto a = internal::taylor_coefficients(std::move(numerator), t, count);
+    const auto w = internal::taylor_coefficients(weights(), t, count);
+    std::vector<Point> c;
+    for (std::size_t k = 0; k < count; ++k) {
+      Point rest = a[k];
+      for (std::size_t j = 1; j <= k; ++j) rest = rest - w[j] * c[k - j];
+      c.push_back({NT(rest.x / w[0]), NT(rest.y / w[0])});
+    }
+    c[0] = c[0] + origin;
+    return c;
+  }
+
+  /// The derivative of the given order, 0 for the point itself.
+  [[nodiscard]] Point derivative(const NT& t, int order) const {
+    NT factorial(1);
+    for (int k = 2; k <= order; ++k) factorial = NT(factorial * NT(k));
+    return factorial * taylor_expansion(t, order).back();
+  }
+
+  /// Point, tangent and second derivative at t, seen from the right (`after`) or from the left.  Where C' vanishes
+  /// `first` is the limit of the tangent's direction on that side, m times the first Taylor vector that does not
+  /// vanish, and `second` is 0: the curvature of such an end is not that of a jet.
+  /// \return nothing when the whole curve is one point
+  [[nodiscard]] std::optional<End_jet_2<NT>> end_jet(const NT& t, bool after) const {
+    // all derivatives of a rational curve vanish only if it is a point; of order degree at the latest one does not
+    const auto c = taylor_expansion(t, degree());
+    const Point zero{};
+    for (std::size_t m = 1; m < c.size(); ++m) {
+      if (c[m] == zero) continue;
+      if (m == 1) return End_jet_2<NT>{c[0], c[1], c.size() > 2 ? NT(2) * c[2] : zero};
+      const NT sign(after || m % 2 == 1 ? 1 : -1);
+      return End_jet_2<NT>{c[0], NT(sign * NT(static_cast<int>(m))) * c[m], zero};
+    }
+    return std::nullopt;
+  }
+
+  /// The largest |coordinate| of a control point.
+  [[nodiscard]] NT coordinate_size() const {
+    NT size(0);
+    const auto take = [&size](const NT& x) {
+      if (size < x) size = x;
+      else if (size < -x) size = -x;
+    };
+    for (const Point& p : control_points()) {
+      take(p.x);
+      take(p.y);
+    }
+    return size;
   }
 
   /// The two halves at parameter t, de Casteljau's algorithm.

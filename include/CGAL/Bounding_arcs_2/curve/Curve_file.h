@@ -41,7 +41,7 @@ struct Input_error : std::runtime_error {
 
 /// A curve as its file gives it.
 /// \code
-/// for (const Curve_record& record : read_curves("shape.svg")) std::cout << record.name << '\n';
+/// for (const Curve_record& record : read_curve_file("shape.svg").curves) std::cout << record.name << '\n';
 /// \endcode
 struct Curve_record {
   /// A colour as a DXF file has it: the number of one of AutoCAD's, any other one beside it, or none.
@@ -85,12 +85,43 @@ struct Curve_record {
   Filling filling = NO_INSIDE;                  ///< see close_filled
   double end_error = 0;  ///< by how much farther than Curve_file::rounding tells its ends may be off, each of them: by
                          ///< the digits of the angles of a DXF file's arc
+
+  /// The B-spline curve of a record of type BSPLINE or NURBS; uniform knots without periodicity are unclamped.
+  /// \throws std::invalid_argument as B_spline_curve_2; not for a record that was read
+  template <class NT> [[nodiscard]] B_spline_curve_2<NT> b_spline() const {
+    auto points = internal::points_over<NT>(control_points);
+    auto over = internal::numbers_over<NT>(weights);
+    if (periodic)
+      return B_spline_curve_2<NT>::periodic(degree, std::move(points), internal::numbers_over<NT>(knots),
+                                            std::move(over));
+    if (uniform_knots) return B_spline_curve_2<NT>::uniform(degree, std::move(points), std::move(over));
+    return B_spline_curve_2<NT>(degree, std::move(points), internal::numbers_over<NT>(knots), std::move(over));
+  }
+
+  /// The Bezier pieces of a record in curve order.
+  /// \guarantee neighbours share their end bit for bit; every double of the record is taken exactly if NT holds it
+  template <class NT> [[nodiscard]] std::vector<Bezier_curve_2<NT>> bezier_pieces() const {
+    std::vector<Bezier_curve_2<NT>> pieces;
+    switch (type) {
+      case BEZIER:
+        pieces.emplace_back(internal::points_over<NT>(control_points), internal::numbers_over<NT>(weights));
+        break;
+      case PATH:
+        for (const Bezier_curve_2<double>& piece : beziers) pieces.push_back(piece.over<NT>());
+        break;
+      case BSPLINE:
+      case NURBS:
+        pieces = b_spline<NT>().bezier_pieces();
+        break;
+    }
+    return pieces;
+  }
 };
 
 /// A file that was read: its curves, what its closed curves enclose, and what it has beside them.
 /// \code
 /// const Curve_file file = read_curve_file("part.dxf");
-/// if (!file.notes.empty()) std::cerr << text_of(file.notes) << '\n';
+/// if (!file.notes.empty()) std::cerr << Curve_file::text_of(file.notes) << '\n';
 /// const Bounding_arc_tree_2 tree(drawing<double>(file.curves));
 /// Offset::Options options;
 /// options.rule = file.rule;
@@ -131,35 +162,26 @@ struct Curve_file {
   double rounding = 0;  ///< how far ends may be apart that are the same but for the digits of a DXF or SVG file; 0 for
                         ///< JSON, whose curves are what its writer numbered
   std::optional<Page> page = {};  ///< of an SVG file that tells one
+
+  /// Reads a text that is in memory, as read_curve_file reads a file.
+  /// \param file what errors call the text
+  /// \param stem the name of curves without one
+  [[nodiscard]] static Curve_file from_text(const std::string& text, const std::string& file, const std::string& stem,
+                                            const Options& options);
+  [[nodiscard]] static Curve_file from_text(const std::string& text, const std::string& file, const std::string& stem) {
+    return from_text(text, file, stem, Options());
+  }
+
+  /// A note as text: "2 MTEXT: no curve".
+  [[nodiscard]] static std::string text_of(const Note& note);
+  /// Notes in one line: "left out: 2 MTEXT: no curve; 1 CIRCLE: radius 0; read all the same: 1 file: no EOF".
+  [[nodiscard]] static std::string text_of(const std::vector<Note>& notes);
 };
-
-/// The note as text: "2 MTEXT: no curve".
-[[nodiscard]] std::string text_of(const Curve_file::Note& note);
-
-/// All notes in one line: "left out: 2 MTEXT: no curve; 1 CIRCLE: radius 0; read all the same: 1 file: no EOF".
-[[nodiscard]] std::string text_of(const std::vector<Curve_file::Note>& notes);
 
 /// Reads a file in JSON, SVG or DXF, told apart by how it begins.
 /// \param path the file; "-" reads standard input
 /// \throws Input_error when the file cannot be read, is not well-formed, or is a drawing without a curve
 [[nodiscard]] Curve_file read_curve_file(const std::string& path, const Curve_file::Options& options = {});
-
-/// Reads a text that is in memory, as read_curve_file does.
-/// \param file what errors call the file
-/// \param stem the name of curves without one
-[[nodiscard]] Curve_file read_curve_file_from_text(const std::string& text, const std::string& file,
-                                                   const std::string& stem, const Curve_file::Options& options = {});
-
-/// Returns the curves of a file alone. \throws Input_error as read_curve_file
-[[nodiscard]] inline std::vector<Curve_record> read_curves(const std::string& path) {
-  return read_curve_file(path).curves;
-}
-
-/// Returns the curves of a text alone.
-[[nodiscard]] inline std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
-                                                                     const std::string& stem) {
-  return read_curve_file_from_text(text, file, stem).curves;
-}
 
 /// Closes open curves that their file fills, each by a straight line behind its last piece, so that they have an inside
 /// for Boolean operations, point location and others that need one. Curves themselves, for offsets or distances, are
@@ -175,75 +197,28 @@ std::size_t close_filled(std::vector<Curve_record>& records);
 /// joined to becomes a path. Ends may be as much farther apart as the records' own errors tell.
 /// \code
 /// Curve_file file = read_curve_file("part.dxf");
-/// const Joined_curves joined = join_records(file.curves, file.rounding);
+/// const Joined_curves joined = join_curves(file.curves, file.rounding);
 /// \endcode
 /// \param with_filled also those that their file fills, which have an inside of their own, see close_filled
 /// \return the drawing of the records, and what was done
 /// \throws std::invalid_argument for an eps that is no number or below 0
-Joined_curves join_records(std::vector<Curve_record>& records, double eps, bool with_filled = true);
-
-/// \return the numbers over NT, exactly if NT holds every double
-template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
-  std::vector<NT> result;
-  result.reserve(numbers.size());
-  for (const double x : numbers) result.push_back(NT(x));
-  return result;
-}
-
-/// Converts the coordinates of points.
-template <class NT> [[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
-  std::vector<Xy<NT>> result;
-  result.reserve(points.size());
-  for (const Xy<double>& p : points) result.push_back({NT(p.x), NT(p.y)});
-  return result;
-}
-
-/// The B-spline curve of a record of type BSPLINE or NURBS; uniform knots without periodicity are unclamped.
-/// \throws std::invalid_argument as B_spline_curve_2; not for a record that was read
-template <class NT> [[nodiscard]] B_spline_curve_2<NT> b_spline(const Curve_record& record) {
-  auto points = converted<NT>(record.control_points);
-  auto weights = converted<NT>(record.weights);
-  if (record.periodic)
-    return B_spline_curve_2<NT>::periodic(record.degree, std::move(points), converted<NT>(record.knots),
-                                          std::move(weights));
-  if (record.uniform_knots) return B_spline_curve_2<NT>::uniform(record.degree, std::move(points), std::move(weights));
-  return B_spline_curve_2<NT>(record.degree, std::move(points), converted<NT>(record.knots), std::move(weights));
-}
-
-/// The Bezier pieces of a record in curve order.
-/// \guarantee neighbours share their end bit for bit; every double of the record is taken exactly if NT holds it
-template <class NT> [[nodiscard]] std::vector<Bezier_curve_2<NT>> bezier_pieces(const Curve_record& record) {
-  std::vector<Bezier_curve_2<NT>> pieces;
-  switch (record.type) {
-    case Curve_record::BEZIER:
-      pieces.emplace_back(converted<NT>(record.control_points), converted<NT>(record.weights));
-      break;
-    case Curve_record::PATH:
-      for (const Bezier_curve_2<double>& piece : record.beziers)
-        pieces.emplace_back(converted<NT>(piece.control_points()), converted<NT>(piece.weights()));
-      break;
-    case Curve_record::BSPLINE:
-    case Curve_record::NURBS:
-      pieces = b_spline<NT>(record).bezier_pieces();
-      break;
-  }
-  return pieces;
-}
+Joined_curves join_curves(std::vector<Curve_record>& records, double eps, bool with_filled = true);
 
 /// The records as one drawing: curve i is record i, with its name. Parameters are the knots of a B-spline record, else
 /// piece i is over [i, i + 1].
-/// \guarantee as bezier_pieces; a curve is closed where its ends are the same over NT, whatever its file says
+/// \guarantee as Curve_record::bezier_pieces; a curve is closed where its ends are the same over NT, whatever its file
+///   says
 template <class NT> [[nodiscard]] Drawing_2<NT> drawing(const std::vector<Curve_record>& records) {
   Drawing_2<NT> result;
   for (const Curve_record& record : records) {
     const bool has_knots = record.type == Curve_record::BSPLINE || record.type == Curve_record::NURBS;
-    if (has_knots) result.add(b_spline<NT>(record), record.name);
-    else result.add(bezier_pieces<NT>(record), record.name);
+    if (has_knots) result.add(record.b_spline<NT>(), record.name);
+    else result.add(record.bezier_pieces<NT>(), record.name);
   }
   return result;
 }
 
-/// The drawing in a file. \throws Input_error as read_curves
+/// The drawing in a file. \throws Input_error as read_curve_file
 [[nodiscard]] Drawing_2<double> read_drawing(const std::string& path);
 
 }  // namespace CGAL::Bounding_arcs

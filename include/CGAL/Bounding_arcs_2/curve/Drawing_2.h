@@ -13,6 +13,9 @@
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -121,6 +124,51 @@ template <class NT> class Drawing_2 {
     return NT(first + t * (last - first));
   }
 
+  /// Converts to another number type: each number exactly where Target holds it, else rounded.
+  template <class Target> [[nodiscard]] Drawing_2<Target> over() const {
+    const auto number = [](const NT& x) {
+      if constexpr (std::is_same_v<NT, long double> && !std::is_floating_point_v<Target>)
+        return convert<Target>(Exact_number<NT>::make(x));
+      else return convert<Target>(x);
+    };
+    const auto numbers = [&](const std::vector<NT>& all) {
+      std::vector<Target> result;
+      result.reserve(all.size());
+      for (const NT& x : all) result.push_back(number(x));
+      return result;
+    };
+    Drawing_2<Target> result;
+    for (const Curve& curve : curves_) {
+      std::vector<Bezier_curve_2<Target>> chain;
+      for (const auto& piece : curve.beziers) {
+        std::vector<Xy<Target>> points;
+        for (const auto& p : piece.control_points()) points.push_back({number(p.x), number(p.y)});
+        chain.emplace_back(std::move(points), numbers(piece.weights()));
+      }
+      result.add(std::move(chain), curve.name, numbers(curve.parameters));
+    }
+    return result;
+  }
+
+  /// The largest |coordinate| of a control point; 0 without curves.
+  [[nodiscard]] NT coordinate_size() const {
+    NT size(0);
+    for (const Curve& curve : curves_)
+      for (const Bezier_curve_2<NT>& piece : curve.beziers) size = (std::max)(size, piece.coordinate_size());
+    return size;
+  }
+  /// The box of all control points; CGAL::Bbox_2(), which holds no point, without curves.
+  [[nodiscard]] CGAL::Bbox_2 control_box() const {
+    CGAL::Bbox_2 box;
+    for (const Curve& curve : curves_)
+      for (const Bezier_curve_2<NT>& piece : curve.beziers)
+        for (const Xy<NT>& p : piece.control_points()) {
+          const auto x = CGAL::to_interval(p.x), y = CGAL::to_interval(p.y);
+          box += CGAL::Bbox_2(x.first, y.first, x.second, y.second);
+        }
+    return box;
+  }
+
   /// Writes the control points of all Bezier pieces, with an empty line behind each piece.
   friend std::ostream& operator<<(std::ostream& out, const Drawing_2& drawing) {
     for (const Curve& curve : drawing.curves())
@@ -134,32 +182,6 @@ template <class NT> class Drawing_2 {
 
   std::vector<Curve> curves_;
 };
-
-/// Converts a drawing: each number is converted by convert(): exactly where the target holds it, else rounded.
-template <class To, class From> [[nodiscard]] Drawing_2<To> converted(const Drawing_2<From>& drawing) {
-  const auto number = [](const From& x) {
-    if constexpr (std::is_same_v<From, long double> && !std::is_floating_point_v<To>)
-      return convert<To>(Exact_number<From>::make(x));
-    else return convert<To>(x);
-  };
-  const auto numbers = [&](const std::vector<From>& all) {
-    std::vector<To> result;
-    result.reserve(all.size());
-    for (const From& x : all) result.push_back(number(x));
-    return result;
-  };
-  Drawing_2<To> result;
-  for (const auto& curve : drawing.curves()) {
-    std::vector<Bezier_curve_2<To>> chain;
-    for (const auto& piece : curve.beziers) {
-      std::vector<Xy<To>> points;
-      for (const auto& p : piece.control_points()) points.push_back({number(p.x), number(p.y)});
-      chain.emplace_back(std::move(points), numbers(piece.weights()));
-    }
-    result.add(std::move(chain), curve.name, numbers(curve.parameters));
-  }
-  return result;
-}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 /// The unit in which a drawing is searched: a power of two near its largest coordinate, so that products of some
 /// lengths are far from both ends of the range of double. Numbers are the same bits in any unit.
@@ -86,20 +86,6 @@ class Unit {
   int exponent_ = 0;
 };
 
-/// The largest |coordinate| of control points.
-[[nodiscard]] inline double coordinate_size(const Bezier_curve_2<double>& curve) {
-  double size = 0;
-  for (const Xy<double>& p : curve.control_points()) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
-  return size;
-}
-/// Returns the largest |coordinate| of control points.
-[[nodiscard]] inline double coordinate_size(const Drawing_2<double>& drawing) {
-  double size = 0;
-  for (const auto& curve : drawing.curves())
-    for (const auto& piece : curve.beziers) size = (std::max)(size, coordinate_size(piece));
-  return size;
-}
-namespace internal {
 /// Returns the unit of a curve's weights, of which only ratios matter.
 template <class NT> [[nodiscard]] Unit unit_of_weights(const Bezier_curve_2<NT>& curve) {
   double most = 0;
@@ -155,8 +141,6 @@ template <class NT> [[nodiscard]] Drawing_2<NT> scaled(const Drawing_2<NT>& draw
       if (!is_ordinary(unit, piece)) return false;
   return true;
 }
-}  // namespace internal
-
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -37,6 +37,11 @@ struct Joined_curves {
   std::size_t joints = 0;                ///< how many pairs of ends became one
   double moved = 0;                      ///< how far an end was moved at most
   std::vector<Xy<double>> crowded;       ///< places where more than two ends were left apart: ambiguous
+
+  /// Returns how far ends of curves may be apart that are the same but for rounding to double: 2^-40 of the largest
+  /// coordinate. Ends of arcs come from centers, angles and transforms, each rounded. Ten times less leaves some of
+  /// them apart; ten times more is still far below what anything is drawn for.
+  [[nodiscard]] static double rounding_of_ends(double largest_coordinate);
 };
 
 /// Joins open curves to chains and loops where exactly two ends meet, or two of several go on straight.
@@ -77,11 +82,6 @@ struct Joined_curves {
 [[nodiscard]] Joined_curves join_curves(const Drawing_2<double>& drawing, double eps,
                                         const std::vector<std::size_t>& layers = {},
                                         const std::vector<double>& errors = {});
-
-/// Returns how far ends of curves may be apart that are the same but for rounding to double: 2^-40 of the largest
-/// coordinate. Ends of arcs come from centers, angles and transforms, each rounded. Ten times less leaves some of them
-/// apart; ten times more is still far below what anything is drawn for.
-[[nodiscard]] double rounding_of_ends(double largest_coordinate);
 
 }  // namespace CGAL::Bounding_arcs
 

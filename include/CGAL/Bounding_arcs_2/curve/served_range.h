@@ -27,6 +27,8 @@ inline constexpr double LARGEST_WEIGHT_RATIO =
     0x1p40;  ///< of two weights: parameters resolve what happens within its inverse
 inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control points, where these are on no line
 
+namespace internal {
+
 /// \throws std::invalid_argument, with the range that is served, for other curves
 template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
@@ -65,6 +67,8 @@ template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
 /// Compiled in the library.
 extern template void check_served(const Bezier_curve_2<double>&);
 
+}  // namespace internal
+
 inline constexpr double LARGEST_QUERIED = 0x1p500;  ///< a box's diagonal, squared and times some, stays finite
 inline constexpr double LARGEST_SHAPE = 0x1p505;    ///< that of lines and circles to be queried with (shapes.h)
 
@@ -73,14 +77,13 @@ namespace internal {
 [[nodiscard]] inline bool is_queried(const Xy<double>& p, double most = LARGEST_QUERIED) {
   return std::fabs(p.x) <= most && std::fabs(p.y) <= most;  // no NaN is
 }
-}  // namespace internal
-
 /// \throws std::invalid_argument for a curve that is larger
 inline void check_queried(const Bezier_curve_2<double>& curve, double most = LARGEST_QUERIED) {
   for (std::size_t i = 0; i < curve.control_points().size(); ++i)
-    if (const Xy<double>& p = curve.control_points()[i]; !internal::is_queried(p, most))
+    if (const Xy<double>& p = curve.control_points()[i]; !is_queried(p, most))
       throw std::invalid_argument(expected("control point " + text_of(i), "coordinates up to 2^500 (3e150)", p));
 }
+}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

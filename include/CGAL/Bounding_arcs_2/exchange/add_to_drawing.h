@@ -35,6 +35,7 @@ namespace CGAL::Bounding_arcs {
 // Arcs by ends and bulge from those of CGAL that have a circle: Circular_arc_2 and Line_arc_2 of the circular kernel,
 // and the curves of Arr_circle_segment_traits_2.  Their ends may be algebraic, so all is rounded to double.
 
+namespace internal {
 /// The arc of a circle between two points on it, as one Arc_2, or two where it is more than half of the circle. Equal
 /// ends are the whole circle.
 /// \guarantee ends as given; the bulge within some u of itself and the error of the center over the radius
@@ -52,12 +53,13 @@ namespace CGAL::Bounding_arcs {
   const double half = (radius - h) / (length / 2), quarter = half / (1 + std::sqrt(1 + half * half));
   return {{from, middle, sign * quarter}, {middle, to, sign * quarter}};
 }
+}  // namespace internal
 
 /// An arc of a kernel, rounded to doubles, in arcs of at most half a circle.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Circular_arc_2<CK>& arc) {
-  return arcs_on_circle(internal::point_of_kernel<double>(arc.source()),
-                        internal::point_of_kernel<double>(arc.target()),
-                        internal::point_of_kernel<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
+  return internal::arcs_on_circle(
+      internal::point_of_kernel<double>(arc.source()), internal::point_of_kernel<double>(arc.target()),
+      internal::point_of_kernel<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
 }
 /// A segment as an arc without bulge.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Line_arc_2<CK>& segment) {
@@ -71,13 +73,14 @@ template <class CK>
   return arcs_of(*get_if<CGAL::Line_arc_2<CK>>(part));
 }
 /// An x-monotone curve of Arr_circle_segment_traits_2, or what has its members.
-template <class Curve> [[nodiscard]] std::vector<Arc_2> arcs_of_part(const Curve& part) {
+template <class Curve> [[nodiscard]] std::vector<Arc_2> arcs_of(const Curve& part) {
   const Xy<double> from = internal::point_of_kernel<double>(part.source()),
                    to = internal::point_of_kernel<double>(part.target());
   if (part.orientation() == CGAL::COLLINEAR) return {{from, to, 0}};
   const auto& circle = part.supporting_circle();
-  return arcs_on_circle(from, to, internal::point_of_kernel<double>(circle.center()),
-                        CGAL::to_double(circle.squared_radius()), part.orientation() == CGAL::COUNTERCLOCKWISE);
+  return internal::arcs_on_circle(from, to, internal::point_of_kernel<double>(circle.center()),
+                                  CGAL::to_double(circle.squared_radius()),
+                                  part.orientation() == CGAL::COUNTERCLOCKWISE);
 }
 
 /// Appends a chain of arcs as one curve. Arcs whose ends are equal are left out.
@@ -106,7 +109,7 @@ template <class Traits>
 void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_2<Traits>& polygon, std::string name = {}) {
   std::vector<Arc_2> arcs;
   for (auto part = polygon.curves_begin(); part != polygon.curves_end(); ++part)
-    for (const Arc_2& arc : arcs_of_part(*part)) {
+    for (const Arc_2& arc : arcs_of(*part)) {
       arcs.push_back(arc);
       if (arcs.size() > 1) arcs.back().from = arcs[arcs.size() - 2].to;  // the same point, whichever way it is rounded
     }

@@ -22,35 +22,12 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <type_traits>
-
-// Splitting curves of CGAL's arrangements: the same with CGAL 5 and 6.
-
-namespace CGAL::Bounding_arcs::internal {
-
-/// Writes the x-monotone parts of a curve, in the order in which the traits hand them out.
-template <class Traits, class OutputIterator>
-OutputIterator write_x_monotone(const typename Traits::Curve_2& curve, OutputIterator out) {
-  const auto keep = [&](const auto& object) {
-    if (const auto part = value_as<typename Traits::X_monotone_curve_2>(object)) *out++ = *part;
-  };
-  Traits().make_x_monotone_2_object()(curve, boost::make_function_output_iterator(keep));
-  return out;
-}
-
-}  // namespace CGAL::Bounding_arcs::internal
 
 namespace CGAL::Bounding_arcs {
 
 // The circle or line through the ends of an arc, over a field: five doubles are rational numbers, and so are the center
 // and the squared radius.  All that goes to CGAL is made of these pieces.
 
-/// The piece in the numbers of an exact kernel.
-template <class FT, class NT> [[nodiscard]] Boundary_piece_2<FT> piece_over(const Boundary_piece_2<NT>& p) {
-  static_assert(!std::is_floating_point_v<NT>, "a boundary in floating numbers misses its ends; hand over its arcs");
-  const auto point = [](const Xy<NT>& q) { return Xy<FT>{FT(q.x), FT(q.y)}; };
-  return {point(p.from), point(p.to), {point(p.support.point), point(p.support.normal), FT(p.support.curvature)}};
-}
 /// The piece of the arc's circle or line between its ends, over a field; of an arc in doubles exactly.
 /// \throws std::invalid_argument if a number is none
 template <class FT> [[nodiscard]] Boundary_piece_2<FT> exact_piece(const Arc_2& arc) {
@@ -95,12 +72,17 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
   return circle_segment_curve<Kernel>(exact_piece<typename Kernel::FT>(arc));
 }
 
-/// Writes the x-monotone parts of a curve, in its order and direction: one, two or three. They are the same with CGAL 5
-/// and 6.
-template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class OutputIterator>
-OutputIterator x_monotone_parts(const typename Arr_circle_segment_traits_2<Kernel>::Curve_2& curve,
-                                OutputIterator out) {
-  return internal::write_x_monotone<Arr_circle_segment_traits_2<Kernel>>(curve, out);
+/// Writes the x-monotone parts of a curve: one, two or three, in the order in which the traits hand them out. They are
+/// the same with CGAL 5 and 6.
+/// \tparam Traits of arrangements of arcs
+template <class Traits = Arr_circle_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>,
+          class OutputIterator>
+OutputIterator x_monotone_parts(const typename Traits::Curve_2& curve, OutputIterator out) {
+  const auto keep = [&](const auto& object) {
+    if (const auto part = value_as<typename Traits::X_monotone_curve_2>(object)) *out++ = *part;
+  };
+  Traits().make_x_monotone_2_object()(curve, boost::make_function_output_iterator(keep));
+  return out;
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -53,13 +53,6 @@ template <class CircularKernel = CGAL::Exact_circular_kernel_2>
   return circular_line_curve<CircularKernel>(exact_piece<typename CircularKernel::FT>(arc));
 }
 
-/// Writes the x-monotone parts of a curve: one, two or three. They are the same with CGAL 5 and 6.
-template <class CircularKernel = CGAL::Exact_circular_kernel_2, class OutputIterator>
-OutputIterator x_monotone_line_arcs(const typename Arr_circular_line_arc_traits_2<CircularKernel>::Curve_2& curve,
-                                    OutputIterator out) {
-  return internal::write_x_monotone<Arr_circular_line_arc_traits_2<CircularKernel>>(curve, out);
-}
-
 }  // namespace CGAL::Bounding_arcs
 
 #endif

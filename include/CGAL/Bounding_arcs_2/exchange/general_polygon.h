@@ -27,6 +27,7 @@
 #include <list>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -38,12 +39,18 @@ using Arc_polygon_2 = typename Gps_circle_segment_traits_2<Kernel>::Polygon_2;
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 using Arc_polygon_with_holes_2 = typename Gps_circle_segment_traits_2<Kernel>::Polygon_with_holes_2;
 
-/// The polygon that boundary pieces over an exact field run round, counterclockwise whichever way they do.
-/// \pre the pieces do not meet but at their ends
-/// \throws std::invalid_argument unless each piece starts where the one before ends
+/// The polygon that a range of arcs runs round, counterclockwise whichever way they do.
+/// \param arcs Arc_2 or what has their members (Arc_chain::Arc), or Boundary_piece_2<Kernel::FT>
+/// \pre the arcs do not meet but at their ends
+/// \throws std::invalid_argument unless each arc starts where the one before ends
 /// \guarantee exact
-template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
-[[nodiscard]] Arc_polygon_2<Kernel> general_polygon(const std::vector<Boundary_piece_2<typename Kernel::FT>>& pieces) {
+template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class Arcs>
+[[nodiscard]] Arc_polygon_2<Kernel> general_polygon(const Arcs& arcs) {
+  using FT = typename Kernel::FT;
+  std::vector<Boundary_piece_2<FT>> pieces;
+  for (const auto& arc : arcs)
+    if constexpr (std::is_same_v<std::decay_t<decltype(arc)>, Boundary_piece_2<FT>>) pieces.push_back(arc);
+    else pieces.push_back(exact_piece<FT>({arc.from, arc.to, arc.bulge}));
   Arc_polygon_2<Kernel> polygon;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto& p = pieces[i];
@@ -52,34 +59,27 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
           expected("piece " + text_of(i), "an end where the next piece starts", "another place"));
     if (p.from == p.to) continue;
     const auto insert = [&](const auto& part) { polygon.push_back(part); };
-    x_monotone_parts<Kernel>(circle_segment_curve<Kernel>(p), boost::make_function_output_iterator(insert));
+    x_monotone_parts<Arr_circle_segment_traits_2<Kernel>>(circle_segment_curve<Kernel>(p),
+                                                          boost::make_function_output_iterator(insert));
   }
   if (!polygon.is_empty() && polygon.orientation() == CGAL::CLOCKWISE) polygon.reverse_orientation();
   return polygon;
-}
-
-/// Returns the polygon that arcs run round: Arc_2 or what has their members (Arc_chain::Arc), in a range.
-template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class Arcs>
-[[nodiscard]] Arc_polygon_2<Kernel> polygon_of_arcs(const Arcs& arcs) {
-  std::vector<Boundary_piece_2<typename Kernel::FT>> pieces;
-  for (const auto& arc : arcs) pieces.push_back(exact_piece<typename Kernel::FT>({arc.from, arc.to, arc.bulge}));
-  return general_polygon<Kernel>(pieces);
 }
 
 /// The region between the two sides of an exact boundary, as BCA have over rational numbers.
 /// \return nothing where the sides are one: a straight or circular piece has no area
 /// \guarantee exact
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class NT>
-[[nodiscard]] std::optional<Arc_polygon_2<Kernel>> region_polygon(const Region_boundary_2<NT>& region) {
+[[nodiscard]] std::optional<Arc_polygon_2<Kernel>> general_polygon(const Region_boundary_2<NT>& region) {
   using FT = typename Kernel::FT;
   using Piece = Boundary_piece_2<FT>;
   const auto is_same = [](const Piece& a, const Piece& b) {
     return a.is_segment() ? b.is_segment() : !b.is_segment() && a.support.center() == b.support.center();
   };
   std::vector<Piece> pieces;
-  for (const auto& p : region.outer) pieces.push_back(piece_over<FT>(p));
+  for (const auto& p : region.outer) pieces.push_back(p.template over<FT>());
   std::vector<Piece> back;
-  for (const auto& p : region.inner) back.push_back(piece_over<FT>(p));
+  for (const auto& p : region.inner) back.push_back(p.template over<FT>());
   if (pieces.size() == 1 && back.size() == 1 && is_same(pieces[0], back[0])) return std::nullopt;
   for (auto p = back.rbegin(); p != back.rend(); ++p)
     pieces.push_back({p->to, p->from, {p->support.point, -p->support.normal, FT(-p->support.curvature)}});
@@ -97,7 +97,7 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
     if (!chain.is_closed) continue;
     std::vector<Arc_2> arcs;
     for (const Offset::Piece& piece : chain.pieces) arcs.push_back(piece.arc);
-    polygons[i] = polygon_of_arcs<Kernel>(arcs);
+    polygons[i] = general_polygon<Kernel>(arcs);
     if (chain.is_ccw || !chain.parent) continue;
     holes[*chain.parent].push_back(polygons[i]);
     holes[*chain.parent].back().reverse_orientation();

@@ -13,12 +13,15 @@
 #ifndef CGAL_BOUNDING_ARCS_2_FRAME_CHORD_FRAME_2_H
 #define CGAL_BOUNDING_ARCS_2_FRAME_CHORD_FRAME_2_H
 
-#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+template <class NT> struct Chord_angles_2;
+template <class NT> struct Chord_frame_2;
 
 /// A spiral segment up to its place, in units of `unit`; vectors keep their direction, tangents have any length.
 /// With c = |chord|, n_i = |tangent_i|:
@@ -44,6 +47,70 @@ template <class NT> struct Chord_shape_2 {
   bool tight_first = true;  ///< |alpha0| >= |alpha1|: the start is the end of larger |curvature|
   bool proper = false;  ///< strictly a spiral as far as its ends tell: it runs ahead, and both Kneser differences have
                         ///< the sign that turn and tight end ask for (false for arcs, lines and slivers past a vertex)
+
+  /// The shape with its start in the origin.
+  [[nodiscard]] Chord_frame_2<NT> at_origin() const { return {{}, unit * chord, *this}; }
+
+  /// The angles between chord and end tangents. Needs square roots.
+  /// \guarantee over double, relative error of a few u in each member, of bulge_change up to the slope of curvature
+  /// \source design formula: A d1 - B d0 = (A - B) d1 + B (d1 - d0), d_i = n_i c + T_i . D
+  [[nodiscard]] Chord_angles_2<NT> angles() const {
+    Chord_angles_2<NT> g;
+    g.length0 = square_root(dot(tangent0, tangent0));
+    g.length1 = square_root(dot(tangent1, tangent1));
+    g.chord = square_root(dot(chord, chord));
+    if (g.chord == NT(0)) return g;  // a single point
+    const NT d0 = g.length0 * g.chord + dot(tangent0, chord), d1 = g.length1 * g.chord + dot(tangent1, chord);
+    g.bulge0 = cross0 / d0;
+    g.bulge1 = cross1 / d1;
+    g.bulge_change = bulge_change(g.length0, g.length1, g.chord) / (d0 * d1);
+    return g;
+  }
+  /// (tan(alpha0/2) - tan(alpha1/2)) d0 d1 = A d1 - B d0 with d_i = n_i c + T_i.D: c (A n1 - B n0) + (A T1.D - B T0.D).
+  /// Where both angles turn the same way A n1 - B n0 = (A^2 n1^2 - B^2 n0^2) / (A n1 + B n0), and the two terms have
+  /// the same sign, as sin(alpha0 - alpha1) has that of sin^2 alpha0 - sin^2 alpha1; else nothing cancels in the first
+  /// place.
+  [[nodiscard]] NT bulge_change(const NT& n0, const NT& n1, const NT& c) const {
+    const NT first = cross0 * n1, second = cross1 * n0;
+    if (!turns_one_way) return NT(c * (first - second) + sine_change);
+    return NT(c * square_change * ((cross0 + cross1) / (first + second)) + sine_change);
+  }
+
+  /// Converts to another number type; the signs that were decided stay as they are.
+  /// \param number converts one number
+  template <class Target, class Convert> [[nodiscard]] Chord_shape_2<Target> over(const Convert& number) const {
+    const auto vector = [&](const Xy<NT>& v) { return Xy<Target>{number(v.x), number(v.y)}; };
+    std::vector<Xy<Target>> points;
+    for (const Xy<NT>& q : control_points) points.push_back(vector(q));
+    std::vector<Target> of_points;
+    for (const NT& w : weights) of_points.push_back(number(w));
+    return {vector(chord),
+            vector(tangent0),
+            vector(tangent1),
+            vector(tangent_change),
+            number(cross0),
+            number(cross1),
+            number(cross_change),
+            number(square_change),
+            number(sine_change),
+            number(curvature0),
+            number(curvature1),
+            number(kneser0),
+            number(kneser1),
+            infinite0,
+            infinite1,
+            number(unit),
+            points,
+            of_points,
+            turn,
+            turns_one_way,
+            runs_ahead,
+            tight_first,
+            proper};
+  }
+  template <class Target> [[nodiscard]] Chord_shape_2<Target> over() const {
+    return over<Target>([](const NT& x) { return convert<Target>(x); });
+  }
 };
 
 /// A chord shape at its place in the plane.
@@ -55,53 +122,12 @@ template <class NT> struct Chord_shape_2 {
 template <class NT> struct Chord_frame_2 {
   Xy<NT> p0, p1;
   Chord_shape_2<NT> shape;
+
+  /// Converts to another number type, likewise.
+  template <class Target> [[nodiscard]] Chord_frame_2<Target> over() const {
+    return {convert<Target>(p0), convert<Target>(p1), shape.template over<Target>()};
+  }
 };
-
-/// The shape with its start in the origin.
-template <class NT> [[nodiscard]] Chord_frame_2<NT> frame_at_origin(const Chord_shape_2<NT>& shape) {
-  return {{}, shape.unit * shape.chord, shape};
-}
-
-/// Converts a shape to another number type; the signs that were decided stay as they are.
-/// \param number converts one number
-template <class Target, class NT, class Convert>
-[[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f, const Convert& number) {
-  const auto vector = [&](const Xy<NT>& v) { return Xy<Target>{number(v.x), number(v.y)}; };
-  std::vector<Xy<Target>> points;
-  for (const Xy<NT>& q : f.control_points) points.push_back(vector(q));
-  std::vector<Target> weights;
-  for (const NT& w : f.weights) weights.push_back(number(w));
-  return {vector(f.chord),
-          vector(f.tangent0),
-          vector(f.tangent1),
-          vector(f.tangent_change),
-          number(f.cross0),
-          number(f.cross1),
-          number(f.cross_change),
-          number(f.square_change),
-          number(f.sine_change),
-          number(f.curvature0),
-          number(f.curvature1),
-          number(f.kneser0),
-          number(f.kneser1),
-          f.infinite0,
-          f.infinite1,
-          number(f.unit),
-          points,
-          weights,
-          f.turn,
-          f.turns_one_way,
-          f.runs_ahead,
-          f.tight_first,
-          f.proper};
-}
-template <class Target, class NT> [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
-  return convert_shape<Target>(f, [](const NT& x) { return convert<Target>(x); });
-}
-
-template <class Target, class NT> [[nodiscard]] Chord_frame_2<Target> convert_frame(const Chord_frame_2<NT>& frame) {
-  return {convert<Target>(frame.p0), convert<Target>(frame.p1), convert_shape<Target>(frame.shape)};
-}
 
 namespace internal {
 /// Sets the changes of squares and sines, `turn`, `tight_first` and `proper` from the other members:
@@ -148,18 +174,6 @@ template <class NT> [[nodiscard]] Chord_frame_2<NT> chord_frame(const End_jet_2<
   return frame;
 }
 
-// The angles between chord and end tangents, as tangents of their halves, and the difference of these without
-// cancellation.  Needs square roots.
-
-/// (tan(alpha0/2) - tan(alpha1/2)) d0 d1 = A d1 - B d0 with d_i = n_i c + T_i.D: c (A n1 - B n0) + (A T1.D - B T0.D).
-/// Where both angles turn the same way A n1 - B n0 = (A^2 n1^2 - B^2 n0^2) / (A n1 + B n0), and the two terms have the
-/// same sign, as sin(alpha0 - alpha1) has that of sin^2 alpha0 - sin^2 alpha1; else nothing cancels in the first place.
-template <class NT> [[nodiscard]] NT bulge_change(const Chord_shape_2<NT>& f, const NT& n0, const NT& n1, const NT& c) {
-  const NT first = f.cross0 * n1, second = f.cross1 * n0;
-  if (!f.turns_one_way) return NT(c * (first - second) + f.sine_change);
-  return NT(c * f.square_change * ((f.cross0 + f.cross1) / (first + second)) + f.sine_change);
-}
-
 /// The half-angle tangents of a chord shape: bulge_i = tan(alpha_i / 2).
 template <class NT> struct Chord_angles_2 {
   NT length0{0}, length1{0};  ///< |tangent0|, |tangent1| in the shape's units
@@ -167,21 +181,6 @@ template <class NT> struct Chord_angles_2 {
   NT bulge0{0}, bulge1{0};
   NT bulge_change{0};  ///< bulge0 - bulge1, formed without cancellation
 };
-
-/// \guarantee over double, relative error of a few u in each member, of bulge_change up to the slope of curvature
-/// \source design formula: A d1 - B d0 = (A - B) d1 + B (d1 - d0), d_i = n_i c + T_i . D
-template <class NT> [[nodiscard]] Chord_angles_2<NT> chord_angles(const Chord_shape_2<NT>& f) {
-  Chord_angles_2<NT> g;
-  g.length0 = square_root(dot(f.tangent0, f.tangent0));
-  g.length1 = square_root(dot(f.tangent1, f.tangent1));
-  g.chord = square_root(dot(f.chord, f.chord));
-  if (g.chord == NT(0)) return g;  // a single point
-  const NT d0 = g.length0 * g.chord + dot(f.tangent0, f.chord), d1 = g.length1 * g.chord + dot(f.tangent1, f.chord);
-  g.bulge0 = f.cross0 / d0;
-  g.bulge1 = f.cross1 / d1;
-  g.bulge_change = bulge_change(f, g.length0, g.length1, g.chord) / (d0 * d1);
-  return g;
-}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -26,12 +26,20 @@ template <class NT> struct Tight_frame_2 {
   NT a{0}, b{0};                                            ///< k_tight - sin_tight, sin_flat - k_flat
   bool infinite = false;                                    ///< the tight end's curvature is infinite; a, k_tight are 0
   bool usable = false;                                      ///< a, b > 0 and a b >= sin^2 delta: the constructions hold
+
+  /// K of the circle that touches the curve at the flat end and the tight end's osculating circle:
+  /// sin alpha1 - sin^2 delta / a, as a sum; at most sin alpha1, which bounds it where rounding takes a and b.
+  [[nodiscard]] NT contact_flat() const {
+    if (infinite) return sin_flat;
+    const NT k = NT(k_flat + b * (NT(1) - sin_delta / a * (sin_delta / b)));
+    return limited(k, [&] { return sin_flat; });
+  }
 };
 
 template <class NT> [[nodiscard]] Tight_frame_2<NT> tight_frame(const Chord_shape_2<NT>& f) {
   Tight_frame_2<NT> t;
   if (!f.proper) return t;
-  const Chord_angles_2<NT> g = chord_angles(f);
+  const Chord_angles_2<NT> g = f.angles();
   const NT turn = NT(f.turn), swap = NT(f.tight_first ? f.turn : -f.turn);
   const NT bulge_tight = turn * (f.tight_first ? g.bulge0 : g.bulge1);
   const NT bulge_flat = turn * (f.tight_first ? g.bulge1 : g.bulge0);
@@ -59,14 +67,6 @@ template <class NT> [[nodiscard]] Tight_frame_2<NT> tight_frame(const Chord_shap
   t.usable = t.sin_delta > NT(0) && t.b > NT(0) &&
              (t.infinite || (t.a > NT(0) && !(NT(1) < NT(t.sin_delta / t.a * (t.sin_delta / t.b)))));
   return t;
-}
-
-/// K of the circle that touches the curve at the flat end and the tight end's osculating circle:
-/// sin alpha1 - sin^2 delta / a, as a sum; at most sin alpha1, which bounds it where rounding takes a and b.
-template <class NT> [[nodiscard]] NT contact_flat(const Tight_frame_2<NT>& t) {
-  if (t.infinite) return t.sin_flat;
-  const NT k = NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
-  return limited(k, [&] { return t.sin_flat; });
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -73,6 +73,12 @@ struct Medial_axis_2 {
     std::size_t from = 0, to = 0;  ///< vertices
     std::vector<Sample> samples;   ///< the first and the last ones are the vertices
 
+    /// Whether the edge runs beside a curve: its discs touch the curve on one of their sides.
+    [[nodiscard]] bool touches(std::size_t curve) const {
+      const Sample& s = samples[samples.size() / 2];
+      return s.left.curve == curve || s.right.curve == curve;
+    }
+
     /// Writes a line for each sample.
     friend std::ostream& operator<<(std::ostream& out, const Edge& all) {
       for (const Sample& one : all.samples) out << one << '\n';
@@ -127,6 +133,7 @@ struct Medial_axis_2 {
   struct Neck;            ///< a narrowest place, thin_places.h
   struct Inscribed_disc;  ///< the largest disc, maximal_disc.h
   struct Feet_apart;      ///< what trimmed() leaves, pruned.h
+  struct Certificate;     ///< what is proven, axis_certificate.h
 
   Status status = Status::COMPLETE;
   std::size_t regions = 0;  ///< connected ones
@@ -146,6 +153,13 @@ struct Medial_axis_2 {
   /// The parts of curves that bound the regions. An axis that was read from a file has none: they are found again.
   std::shared_ptr<const Bounding_parts> bounds;
 
+  /// How many edges end in each vertex; an edge that returns to its vertex counts twice.
+  [[nodiscard]] std::vector<std::size_t> degrees() const {
+    std::vector<std::size_t> result(vertices.size());
+    for (const Edge& e : edges) ++result[e.from], ++result[e.to];
+    return result;
+  }
+
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is
   /// within `error` of its clearance. From sample to sample radii change by no more than centers move, but for `eps`.
@@ -159,13 +173,6 @@ struct Medial_axis_2 {
     return out;
   }
 };
-
-/// How many edges end in each vertex; an edge that returns to its vertex counts twice.
-[[nodiscard]] inline std::vector<std::size_t> degrees(const Medial_axis_2& axis) {
-  std::vector<std::size_t> result(axis.vertices.size());
-  for (const Medial_axis_2::Edge& e : axis.edges) ++result[e.from], ++result[e.to];
-  return result;
-}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -17,10 +17,10 @@ namespace CGAL::Bounding_arcs {
 
 /// What is proven of an axis.
 /// \code
-/// const Axis_certificate proof = axis_certificate(closed, axis);
+/// const Medial_axis_2::Certificate proof = axis_certificate(closed, axis);
 /// if (proof.is_proven()) std::cout << "within " << proof.bound << '\n';
 /// \endcode
-struct Axis_certificate {
+struct Medial_axis_2::Certificate {
   /// Whether an edge's bound is proven.
   enum class Status : std::uint8_t { PROVEN, ESTIMATED };
 
@@ -48,10 +48,9 @@ struct Axis_certificate {
   std::vector<Edge> edges;  ///< as the axis has them
 
   [[nodiscard]] bool is_proven() const;
+  /// Returns the reason's name in capitals.
+  [[nodiscard]] static const char* name_of(Reason reason);
 };
-
-/// The reason's name in capitals.
-[[nodiscard]] const char* name_of(Axis_certificate::Reason reason);
 
 /// Proves an axis of closed curves, or of curves in a frame: that of the drawing within axis.moved that it is of. Which
 /// parts of curves bound regions the overlay has decided.
@@ -65,7 +64,7 @@ struct Axis_certificate {
 ///   thinner than 2^-40 of the size are not derived for each rounding. In tests a bound is at most twice the distance
 ///   that there is, or 2^-40 of the size
 /// \complexity linear in the samples
-[[nodiscard]] Axis_certificate axis_certificate(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis);
+[[nodiscard]] Medial_axis_2::Certificate axis_certificate(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis);
 
 }  // namespace CGAL::Bounding_arcs
 

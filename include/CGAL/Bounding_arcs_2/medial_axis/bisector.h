@@ -45,7 +45,7 @@ class Bisector_2 {
   /// \param b must outlive this; it may be of many curves, whose nearest one counts
   /// \param largest the largest radius to look for
   /// \throws std::invalid_argument for a radius that is not positive or above LARGEST_QUERIED, and for a curve out of
-  ///   the range of check_queried
+  ///   the range of queries
   Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2& b, double largest);
 
   /// The disc that touches `a` in t from the left and touches `b`, of which no point is in it.
@@ -69,7 +69,7 @@ class Bisector_2 {
   [[nodiscard]] Sample out(const Sample& s) const;
   [[nodiscard]] std::optional<Sample> disc_in_unit(double t) const;
 
-  Unit unit_;  // of all that follows
+  internal::Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;
   std::shared_ptr<const Segment_hierarchy> b_;
   double largest_;

@@ -51,7 +51,7 @@ class Local_thickness_2 {
   [[nodiscard]] static double radius(const Step& step, const Xy<double>& q);
   void look_at(std::size_t node, std::size_t begin, std::size_t end, const Xy<double>& q, double& best) const;
 
-  Unit unit_;  // of all that follows
+  internal::Unit unit_;  // of all that follows
   std::vector<Step> steps_;
   std::vector<Node> nodes_;  // the root is 1, the halves of i are 2 i and 2 i + 1
 };

@@ -24,8 +24,6 @@ namespace CGAL::Bounding_arcs {
 /// A drawing with a rectangle behind its curves.
 /// \param box to be the frame, with room around the curves: no disc fits between a curve and a frame that touch
 [[nodiscard]] Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box);
-/// The box of all control points.
-[[nodiscard]] CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing);
 /// Returns the drawing in a frame with a margin around the box of all control points.
 /// \param margin above 0, in units of the coordinates
 /// \throws std::invalid_argument for a drawing without curves, or a margin that coordinates do not resolve
@@ -36,12 +34,6 @@ namespace internal {
 /// \throws std::invalid_argument if that is open, or does not enclose a curve
 void check_frame(const Drawing_2<double>& drawing);
 }  // namespace internal
-
-/// Whether an edge runs beside a curve: its discs touch the curve on one of their sides.
-[[nodiscard]] inline bool touches(const Medial_axis_2::Edge& edge, std::size_t curve) {
-  const Medial_axis_2::Sample& s = edge.samples[edge.samples.size() / 2];
-  return s.left.curve == curve || s.right.curve == curve;
-}
 
 namespace internal {
 /// A loop of independent pieces of work, for_each_index. A pointer to it is what lets the library, which is compiled
@@ -67,7 +59,7 @@ template <class ConcurrencyTag> [[nodiscard]] Index_loop index_loop() {
 /// In a frame curves may cross, touch and run together, and each has discs on both sides. Ends of open curves and
 /// points are touched from all around, like reflex corners. So the axis is the Voronoi diagram of the curves and the
 /// frame, together with their medial axes within it. What only the frame makes has a sample that touches the last curve
-/// in each of its edges (`touches`, medial_axis.h).
+/// in each of its edges (Medial_axis_2::Edge::touches).
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
 /// \param eps how far the axis, and its radius together, may be from the lines between samples, positive
 /// \guarantee the axis is that of some drawing within `moved` of the given one: ends, walls and corners that are nearer

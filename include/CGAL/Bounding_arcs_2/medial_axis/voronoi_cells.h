@@ -46,6 +46,11 @@ struct Medial_axis_2::Cell {
   bool is_whole = false;        ///< the run goes once round a closed curve, from `first` back to it, or is a point
   std::vector<Rim> rim;         ///< from the disc that touches at `first` to that at `last`
   std::size_t vertex = 0;       ///< where there is no rim: one disc touches all of the run, and this is its vertex
+
+  /// Returns the cell's polygon, counterclockwise, for pictures.
+  /// \param per_piece points of each Bezier piece that the run has
+  [[nodiscard]] std::vector<Xy<double>> polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
+                                                int per_piece = 16) const;
 };
 
 /// Returns the cells of an axis's regions, by their curves. A cell without a rim is a sector between an arc and its
@@ -57,11 +62,6 @@ struct Medial_axis_2::Cell {
 /// \complexity n log n in the samples, and the square of the number of edges at each vertex
 [[nodiscard]] std::vector<Medial_axis_2::Cell> voronoi_cells(const Bounding_arc_tree_2& tree,
                                                              const Medial_axis_2& axis);
-
-/// Returns a cell's polygon, counterclockwise, for pictures.
-/// \param per_piece points of each Bezier piece that the run has
-[[nodiscard]] std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
-                                                   const Medial_axis_2::Cell& cell, int per_piece = 16);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -113,7 +113,7 @@ template <class Exact> Double_double to_double_double(const Exact& x) {
 }
 
 /// Converts to double-doubles.
-template <> struct Converter<Double_double> {
+template <> struct internal::Converter<Double_double> {
   template <class Source> Double_double operator()(const Source& x) const { return to_double_double(x); }
   /// Converts exactly: a long double has no more bits than two doubles.
   Double_double operator()(long double x) const {

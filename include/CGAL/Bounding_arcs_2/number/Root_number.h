@@ -81,12 +81,12 @@ template <class ET> [[nodiscard]] Root_number to_root(const CGAL::Lazy_exact_nt<
 }  // namespace internal
 
 /// Converts to exact numbers with square roots.
-template <> struct Converter<Root_number> {
+template <> struct internal::Converter<Root_number> {
   template <class Source> Root_number operator()(const Source& x) const { return internal::to_root(x); }
 };
 
 /// For programs that read CORE's header themselves.
-template <> struct Converter<CORE::Expr> {
+template <> struct internal::Converter<CORE::Expr> {
   template <class Source> auto operator()(const Source& x) const { return internal::to_root(x).expression(); }
 };
 

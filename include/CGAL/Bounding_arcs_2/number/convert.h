@@ -26,6 +26,7 @@ namespace CGAL::Bounding_arcs {
 template <class T> inline constexpr bool is_interval_v = false;
 template <bool Protected> inline constexpr bool is_interval_v<CGAL::Interval_nt<Protected>> = true;
 
+namespace internal {
 /// Makes a Target from numbers that it has no constructor for; specialised beside the types concerned.  Rationals of
 /// different libraries have none for each other, but read what the other one writes.
 template <class Target> struct Converter {
@@ -55,6 +56,7 @@ template <class ET> struct Converter<CGAL::Lazy_exact_nt<ET>> {
     else return Converter<ET>()(x);
   }
 };
+}  // namespace internal
 
 /// x as the nearest double and the distance to it, which long double holds exactly.
 [[nodiscard]] inline Bounded_double bounded(long double x) {
@@ -81,7 +83,7 @@ template <class Target, class Source> [[nodiscard]] Target convert(const Source&
   } else if constexpr (is_interval_v<Target>) {
     return Target(CGAL::to_interval(x));
   } else {
-    return Converter<Target>()(x);
+    return internal::Converter<Target>()(x);
   }
 }
 

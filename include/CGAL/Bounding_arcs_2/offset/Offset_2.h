@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
@@ -112,7 +113,8 @@ struct Offset {
     UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
   };
 
-  struct Error;  ///< how far points are from where they should be, offset_bracket.h
+  struct Error;   ///< how far points are from where they should be, offset_bracket.h
+  struct Bounds;  ///< two offsets with the true one between them, offset_bracket.h
 
   double distance = 0;
   std::vector<Chain> chains;
@@ -127,6 +129,11 @@ struct Offset {
   /// whose box holds it.
   /// \complexity linear in the pieces
   [[nodiscard]] bool is_valid() const;
+
+  /// The round pieces of the chains as a drawing, those that are joined as one curve: rational quadratics, two of an
+  /// arc larger than a quarter of a circle. Their ends are the arcs'. Their middle control points err by less than 8
+  /// ulp of the coordinates and the chord's length, and the curves by no more.
+  [[nodiscard]] Drawing_2<double> drawing() const;
 
   /// Writes a line for each piece of each chain, as Chain does, and an empty line behind the chain.
   friend std::ostream& operator<<(std::ostream& out, const Offset& all) {

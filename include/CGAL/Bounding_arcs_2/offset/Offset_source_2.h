@@ -42,7 +42,7 @@ class Offset_source_2 {
  public:
   /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for
-  ///   curves out of the range of check_queried
+  ///   curves out of the range of queries
   Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset::Options& options = {});
 
   /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they

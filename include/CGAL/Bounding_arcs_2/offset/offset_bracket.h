@@ -18,15 +18,6 @@ namespace CGAL::Bounding_arcs {
 
 // A check of offsets: how far the distances of all their points are from |d|, by the hierarchy and not by samples.
 
-/// The rational quadratic of an arc.  Its ends are the arc's; its middle control point errs by less than 8 ulp of the
-/// coordinates and the chord's length, and the curve by no more.
-/// \pre it turns by at most a quarter of a circle
-[[nodiscard]] Bezier_curve_2<double> quadratic_of(const Arc_2& arc);
-
-/// The round pieces of the chains as a drawing, those that are joined as one curve. Larger ones than a quarter of a
-/// circle are two quadratics.
-[[nodiscard]] Drawing_2<double> drawing_of(const Offset& offset);
-
 /// How far the points of an offset's round pieces are from where they should be. Each bracket holds a distance from the
 /// curves less |d|.
 /// \code
@@ -45,11 +36,11 @@ struct Offset::Error {
 
 /// Returns how far an offset's points are from where they should be.
 /// \param tree the curves that were offset. An inset (d < 0) of closed curves is measured from the boundary of what
-///   they fill. If a part of the curves lies inside of that, give a tree of drawing_of(source.outline()) instead. An
+///   they fill. If a part of the curves lies inside of that, give a tree of source.outline().drawing() instead. An
 ///   inset of open and closed curves has two sorts of chains: measure one sort at a time, with a tree of its curves
 /// \param eps how wide brackets may be, a length
 /// \return nothing for an offset without round pieces or a drawing without curves
-/// \guarantee certified for the arcs as they are given, but for the rounding of quadratic_of()
+/// \guarantee certified for the arcs as they are given, but for the rounding of Offset::drawing()
 /// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / eps
 [[nodiscard]] std::optional<Offset::Error> offset_error(const Bounding_arc_tree_2& tree, const Offset& offset,
                                                         double eps);
@@ -57,10 +48,10 @@ struct Offset::Error {
 /// Two offsets with the true one between them. The region of `inside` lies inside of the true offset's region, and that
 /// of `outside` holds it. Take a bracket where a verdict hangs on the offset, such as whether a tool fits.
 /// \code
-/// const Offset_bracket bracket = offset_bracket(closed, 0.1, 1e-4);
+/// const Offset::Bounds bracket = offset_bracket(closed, 0.1, 1e-4);
 /// std::cout << bracket.inside.chains.front().area << " < " << bracket.outside.chains.front().area << '\n';
 /// \endcode
-struct Offset_bracket {
+struct Offset::Bounds {
   Offset inside, outside;
 };
 
@@ -75,7 +66,7 @@ struct Offset_bracket {
 ///   `outside` does, but for points at the distance d itself up to rounding. Distances are from the curves, where d < 0
 ///   from the boundary of what these fill. A point of `inside` and the point of `outside` nearest to it have distances
 ///   that differ by no more than eps
-[[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps,
+[[nodiscard]] Offset::Bounds offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps,
                                             const Offset::Options& options = {});
 
 /// Returns what is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance

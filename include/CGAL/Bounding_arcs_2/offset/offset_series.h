@@ -20,25 +20,15 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps,
                                          const Offset::Options& options = {});
 
-/// Two offsets one after the other; pieces of the second have pieces of the first as their places: `curve` is a chain,
-/// `bezier` a piece of it.
-struct Offset_twice {
-  Offset first, second;
-};
-
-/// Returns two offsets one after the other.
-/// \param first, second signed distances
-/// \guarantee each of both as Offset_source_2::at, of half of eps: the second's points are that far from the first's
-///   chains; the second is not COMPLETE where the first is not
-[[nodiscard]] Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
-                                        const Offset::Options& options = {});
-
 /// Returns the opening: what discs of a radius cover that are in what closed curves enclose.  Round outer corners are
-/// left.
+/// left. These are two offsets, one after the other: pieces of the second have pieces of the first as their places,
+/// `curve` is a chain, `bezier` a piece of it.
+/// \guarantee each of both as Offset_source_2::at, of half of eps: the second's points are that far from the first's
+///   chains; the result is not COMPLETE where the first is not
 [[nodiscard]] Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps,
                              const Offset::Options& options = {});
 /// Returns the closing: what discs of a radius do not cover that are outside.  Gaps are closed, and inner corners
-/// rounded.
+/// rounded. Places and guarantees are as for the opening.
 [[nodiscard]] Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps,
                              const Offset::Options& options = {});
 

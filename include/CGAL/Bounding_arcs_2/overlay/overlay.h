@@ -145,6 +145,22 @@ struct Overlay_2 {
     }
   }
 
+  /// Returns the area of a face, without what lies in its holes.
+  /// \code
+  /// const Overlay_2 cells = overlay(tree);
+  /// for (std::uint32_t face = 1; face < cells.faces.size(); ++face)
+  ///   std::cout << cells.face_area({&tree}, face, 1e-9).lower << '\n';
+  /// \endcode
+  /// \param face the number of a face, bounded
+  /// \param trees those that the overlay was made of, in their order
+  /// \param eps how far the bounds may be apart; they are farther where doubles tell no more of rational curves, or of
+  ///   the parameters of vertices
+  /// \guarantee certified; for polynomial curves the nearest doubles, but for what parameters of vertices leave open
+  /// \complexity some tens of microseconds an edge
+  /// \throws std::invalid_argument if the face is unbounded, or eps below 0
+  [[nodiscard]] Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, std::uint32_t face,
+                                         double eps) const;
+
  private:
   [[nodiscard]] std::uint32_t out_of(std::uint32_t face) const {
     const Side& side = *faces[face].way_out;
@@ -178,22 +194,6 @@ struct Overlay_2 {
                                        const Overlay_2::Options& options = {}) {
   return overlay({&a, &b}, options);
 }
-
-/// Returns the area of a face, without what lies in its holes.
-/// \code
-/// const Overlay_2 cells = overlay(tree);
-/// for (std::uint32_t face = 1; face < cells.faces.size(); ++face)
-///   std::cout << face_area({&tree}, cells, face, 1e-9).lower << '\n';
-/// \endcode
-/// \param face the number of a face, bounded
-/// \param trees those that the overlay was made of, in their order
-/// \param eps how far the bounds may be apart; they are farther where doubles tell no more of rational curves, or of
-///   the parameters of vertices
-/// \guarantee certified; for polynomial curves the nearest doubles, but for what parameters of vertices leave open
-/// \complexity some tens of microseconds an edge
-/// \throws std::invalid_argument if the face is unbounded, or eps below 0
-[[nodiscard]] Measure_bounds face_area(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_2& overlay,
-                                       std::uint32_t face, double eps);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -31,14 +31,14 @@ struct Winding_number {
   enum class State : std::uint8_t { DECIDED, ON, UNDECIDED };
   State state = State::DECIDED;
   int number = 0;  ///< of all curves together, positive counterclockwise; 0 unless it is decided
-};
 
-/// The side that a winding number has under a fill rule; uncertain where that is undecided.
-[[nodiscard]] inline Uncertain<Bounded_side> side_of(const Winding_number& w, Fill_rule rule) {
-  if (w.state == Winding_number::State::ON) return ON_BOUNDARY;
-  if (w.state == Winding_number::State::UNDECIDED) return Uncertain<Bounded_side>::indeterminate();
-  return is_filled(rule, w.number) ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
-}
+  /// The side that the number has under a fill rule; uncertain where that is undecided.
+  [[nodiscard]] Uncertain<Bounded_side> side(Fill_rule rule) const {
+    if (state == State::ON) return ON_BOUNDARY;
+    if (state == State::UNDECIDED) return Uncertain<Bounded_side>::indeterminate();
+    return is_filled(rule, number) ? ON_BOUNDED_SIDE : ON_UNBOUNDED_SIDE;
+  }
+};
 
 /// How a search ended. Its bracket holds the true number whatever the status is.
 enum class Query_status : std::uint8_t {
@@ -60,6 +60,8 @@ enum class Query_status : std::uint8_t {
 /// closest_points_of_all() for many points at once. Take signed_distance() where you also need to know the side.
 /// \tparam Point the point type of the kernel that was asked with
 template <class Point = Xy<double>> struct Closest_point {
+  struct On_segment;  ///< the nearest point of curves of one's own, closest_on_regions.h
+
   Bracket distance;  ///< of the exact curves
   Point point;       ///< on the curve but for rounding
   Curve_place place;

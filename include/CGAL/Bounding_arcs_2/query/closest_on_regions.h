@@ -32,7 +32,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// A point of a spiral segment and its distance from the point that was asked about.
-template <class Point = Xy<double>> struct Closest_on_segment {
+template <class Point> struct Closest_point<Point>::On_segment {
   Bracket distance;           ///< of the exact curves, as exact as the segments' errors tell
   Point point;                ///< on the curve but for rounding
   std::uint32_t segment = 0;  ///< its number in spirals()
@@ -54,8 +54,8 @@ template <class Point = Xy<double>> struct Closest_on_segment {
 ///   piece of each is looked at
 /// \throws std::invalid_argument for a point that is no number, and an eps that is not positive
 template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
-[[nodiscard]] std::optional<Closest_on_segment<Point>> closest_point(const Region_hierarchy_2<Traits, Spiral>& regions,
-                                                                     const Point& q, double eps) {
+[[nodiscard]] std::optional<typename Closest_point<Point>::On_segment> closest_point(
+    const Region_hierarchy_2<Traits, Spiral>& regions, const Point& q, double eps) {
   static_assert(std::is_same_v<typename Traits::FT, double>, "closest_point takes regions over double");
   const Asked_point asked(q);
   internal::check_point(asked.point);
@@ -70,7 +70,7 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
     [[nodiscard]] bool operator<(const Candidate& other) const { return lower > other.lower; }  // the nearest on top
   };
   std::priority_queue<Candidate> open;
-  Closest_on_segment<Xy<double>> best;
+  Closest_point<>::On_segment best;
   best.distance.upper = std::numeric_limits<double>::infinity();
   double settled = best.distance.upper;  // lower bound of the pieces that cannot be halved
   const auto add_point = [&](const Xy<double>& p, double widening, std::uint32_t segment, double t) {
@@ -111,8 +111,8 @@ template <class Traits, class Spiral, class Point = Default_kernel::Point_2>
   }
   best.distance.lower = (std::min)({settled, open.empty() ? settled : open.top().lower, best.distance.upper});
   if (best.distance.width() > eps) best.status = Query_status::RESOLUTION_REACHED;
-  return Closest_on_segment<Point>{best.distance, internal::answered<Point>(best.point), best.segment, best.t,
-                                   best.status};
+  return typename Closest_point<Point>::On_segment{best.distance, internal::answered<Point>(best.point), best.segment,
+                                                   best.t, best.status};
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -12,16 +12,11 @@
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-
-/// A part of one Bezier piece, which is run through backwards where parameters fall, or a segment that touches curves
-/// in its ends or ends in a corner or an end of one.
-enum class Hull_piece_kind : std::uint8_t { CURVE, BITANGENT };
 
 /// The convex hull of a drawing: pieces counterclockwise, each of which starts where the one before ends. The hull of a
 /// straight drawing has both sides, and that of a point has one piece from the point to itself.
@@ -30,9 +25,10 @@ enum class Hull_piece_kind : std::uint8_t { CURVE, BITANGENT };
 /// for (const auto& piece : hull.pieces) std::cout << piece.from_point << " to " << piece.to_point << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Convex_hull {
-  /// A piece of the boundary of a hull.
+  /// A piece of the boundary of a hull: a part of one Bezier piece, which is run through backwards where parameters
+  /// fall, or a segment that touches curves in its ends or ends in a corner or an end of one.
   struct Piece {
-    Hull_piece_kind kind = Hull_piece_kind::CURVE;
+    bool is_bitangent = false;  ///< such a segment
     Curve_place from, to;
     Point from_point, to_point;
 
@@ -49,8 +45,8 @@ template <class Point = Xy<double>> struct Convex_hull {
   template <class Other> operator Convex_hull<Other>() const {  // NOLINT: the same with another kernel's points
     Convex_hull<Other> result{{}, height, status};
     for (const auto& p : pieces)
-      result.pieces.push_back(
-          {p.kind, p.from, p.to, internal::answered<Other>(p.from_point), internal::answered<Other>(p.to_point)});
+      result.pieces.push_back({p.is_bitangent, p.from, p.to, internal::answered<Other>(p.from_point),
+                               internal::answered<Other>(p.to_point)});
     return result;
   }
 

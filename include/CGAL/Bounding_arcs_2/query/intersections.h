@@ -45,7 +45,7 @@ template <class Kernel = Default_kernel>
 
 /// All common points of two pieces, and all parts where they run together.
 /// \guarantee as exact_intersections
-/// \throws std::invalid_argument for curves out of the range of check_served
+/// \throws std::invalid_argument for curves out of the range that is served (served_range.h)
 /// \complexity one or two microseconds for cubics, and some milliseconds where doubles leave anything open
 [[nodiscard]] Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
 

@@ -19,6 +19,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// \throws std::invalid_argument if a curve is open, with its number, from 0, and its name
 template <class NT> void check_closed(const Drawing_2<NT>& drawing) {
   for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
@@ -29,6 +30,7 @@ template <class NT> void check_closed(const Drawing_2<NT>& drawing) {
         expected("curve " + text_of(i) + name, "a closed curve, which has an inside", "an open one"));
   }
 }
+}  // namespace internal
 
 /// Point location for many points: that all curves of a tree are closed is checked once.
 /// \code
@@ -39,7 +41,7 @@ class Point_location_2 {
  public:
   /// \param tree must outlive this
   /// \throws std::invalid_argument if a curve is open, with its name
-  explicit Point_location_2(const Bounding_arc_tree_2& tree) : tree_(&tree) { check_closed(tree.drawing()); }
+  explicit Point_location_2(const Bounding_arc_tree_2& tree) : tree_(&tree) { internal::check_closed(tree.drawing()); }
 
   /// Returns how often the curves run round a point.
   /// \param q of any kernel
@@ -49,7 +51,7 @@ class Point_location_2 {
   [[nodiscard]] Winding_number winding_number(const Asked_point& q) const;
   /// Tells on which side a point is, with guarantees as above. \return uncertain only without exact decisions
   [[nodiscard]] Uncertain<Bounded_side> locate(const Asked_point& q, Fill_rule rule = Fill_rule::NONZERO) const {
-    return side_of(winding_number(q), rule);
+    return winding_number(q).side(rule);
   }
 
  private:

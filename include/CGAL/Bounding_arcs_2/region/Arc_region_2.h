@@ -42,6 +42,14 @@ struct Arc_region_2 {
   Region_form form = Region_form::BCA;  ///< the outer side of a spiral fat arc has a corner, other sides are smooth
   double widening = std::numeric_limits<double>::infinity();  ///< the exact curve is within it of the region; infinite:
                                                               ///< not known
+
+  /// Whether bulges and joints are numbers.
+  [[nodiscard]] bool is_finite() const {
+    const auto is_finite_side = [](const Side& s) {
+      return std::isfinite(s.bulges[0]) && (s.size == 1 || std::isfinite(s.bulges[1] + s.joint.x + s.joint.y));
+    };
+    return is_finite_side(inner) && is_finite_side(outer);
+  }
 };
 
 /// Writes a region as `from.x from.y inner outer to.x to.y widening`, on the line, with 17 digits. A side is
@@ -86,14 +94,6 @@ template <class NT, class Round>
   return region;
 }
 
-/// Whether bulges and joints are numbers.
-[[nodiscard]] inline bool is_finite(const Arc_region_2& region) {
-  const auto is_finite_side = [](const Arc_region_2::Side& s) {
-    return std::isfinite(s.bulges[0]) && (s.size == 1 || std::isfinite(s.bulges[1] + s.joint.x + s.joint.y));
-  };
-  return is_finite_side(region.inner) && is_finite_side(region.outer);
-}
-
 /// The region of a piece with its exact boundary, rounded: square roots are MPFR intervals narrow enough for doubles,
 /// which do without an expression's search for the sign of numbers that are 0.
 /// \param bits of the first intervals; there are more until they tell the region's form, up to 8192
@@ -110,7 +110,7 @@ template <class Construction, class Spiral>
   for (;; bits *= 2) {
     const auto interval = [&](const Exact& x) { return Mpfr_interval(x, bits); };
     try {
-      const auto local = construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, interval)));
+      const auto local = construction.boundary(shape.template over<Mpfr_interval>(interval).at_origin());
       return arc_region(local, unit, from, to, [](const Mpfr_interval& x) { return x.middle(); });
     } catch (const CGAL::Uncertain_conversion_exception&) {
       if (bits >= LAST) throw;
@@ -135,15 +135,15 @@ template <class Construction, class Spiral>
   const double unit = shape.unit;
   shape.unit = 1;
   const auto region_of = [&](const auto& c) {
-    return arc_region(c.boundary(frame_at_origin(shape)), unit, from, to, [](double x) { return x; });
+    return arc_region(c.boundary(shape.at_origin()), unit, from, to, [](double x) { return x; });
   };
   Arc_region_2 region = region_of(construction);
-  if (is_finite(region)) return region;
+  if (region.is_finite()) return region;
   if constexpr (has_enclosures_v<typename Spiral::Exact_number_type>) {
     constexpr mpfr_prec_t BITS = 4096;  // products of four lengths in a row, each 2^500 times the next
     try {
       region = rounded_region(construction, spiral, t0, t1, from, to, BITS);
-      if (is_finite(region)) return region;
+      if (region.is_finite()) return region;
     } catch (const CGAL::Uncertain_conversion_exception&) {  // too few bits
     }
   }

@@ -34,7 +34,7 @@ struct Bca {
     if (c == NT(0)) return NT(0);  // a single point
     if (!f.runs_ahead) return NT(f.unit * c);
     const NT d0 = n0 * c + dot(f.tangent0, f.chord), d1 = n1 * c + dot(f.tangent1, f.chord);
-    const NT change = bulge_change(f, n0, n1, c);
+    const NT change = f.bulge_change(n0, n1, c);
     using CGAL::abs;
     return NT(f.unit *
               NT(c * abs(change) / (NT(2) * d0 * d1)));  // the unit last: before, it would take digits of tiny curves

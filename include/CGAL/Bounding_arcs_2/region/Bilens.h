@@ -33,7 +33,7 @@ struct Bilens {
     // with r_a = sin delta / a, r_b = sin delta / b, 0 < r_a r_b <= 1, one factor sin delta comes out of everything
     const NT ratio_a = t.infinite ? NT(0) : NT(t.sin_delta / t.a), ratio_b = t.sin_delta / t.b;
     const NT room = NT(4) * (NT(1) - ratio_a * ratio_b), change = NT(2) * t.cos_mean + ratio_a + ratio_b;
-    const NT product = contact_tight(t) * contact_flat(t);
+    const NT product = contact_tight(t) * t.contact_flat();
     const NT thickness =
         NT(t.chord / NT(2) * t.sin_delta * room / (change + square_root(NT(change * change + product * room))));
     // The bilens lies within the BCA, which bounds it where rounding takes the differences of curvature.
@@ -45,7 +45,7 @@ struct Bilens {
     const Tight_frame_2<NT> t = tight_frame(f);
     if (!t.usable) return Bca::boundary(frame);
     const internal::Tight_axes<NT> axes = internal::tight_axes(frame);
-    const NT outer_k = contact_tight(t), inner_k = contact_flat(t), ratio_b = t.sin_delta / t.b;
+    const NT outer_k = contact_tight(t), inner_k = t.contact_flat(), ratio_b = t.sin_delta / t.b;
     const auto circle = [&](const Xy<NT>& p, const Xy<NT>& n, const NT& k) {
       return internal::contact(p, n, k, f.turn, t.chord);
     };

@@ -111,7 +111,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     Construction construction;
     [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
       if constexpr (HAS_SQUARE_ROOT) return internal::thickness_in_place(construction, region.frame);
-      else return internal::thickness_in_place(construction, convert_frame<Root_number>(region.frame)).expression();
+      else return internal::thickness_in_place(construction, region.frame.template over<Root_number>()).expression();
     }
   };
 
@@ -126,7 +126,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
         if (range.inf() > eps) return CGAL::LARGER;
       }
       using Root = std::conditional_t<HAS_SQUARE_ROOT, FT, Root_number>;
-      const Root thickness = internal::thickness_in_place(construction, convert_frame<Root>(region.frame)),
+      const Root thickness = internal::thickness_in_place(construction, region.frame.template over<Root>()),
                  bound = Root(eps);
       return thickness < bound ? CGAL::SMALLER : (bound < thickness ? CGAL::LARGER : CGAL::EQUAL);
     }

@@ -58,6 +58,12 @@ template <class NT> struct Boundary_piece_2 {
     CGAL_precondition(!is_segment());
     return support.curvature > NT(0);
   }
+  /// Converts to an exact number type that holds these numbers.
+  template <class Target> [[nodiscard]] Boundary_piece_2<Target> over() const {
+    static_assert(!std::is_floating_point_v<NT>, "a boundary in floating numbers misses its ends; hand over its arcs");
+    const auto point = [](const Xy<NT>& q) { return Xy<Target>{Target(q.x), Target(q.y)}; };
+    return {point(from), point(to), {point(support.point), point(support.normal), Target(support.curvature)}};
+  }
 };
 
 /// One side of a region: one or two pieces from the segment's start to its end.

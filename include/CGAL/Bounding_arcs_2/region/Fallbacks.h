@@ -60,7 +60,7 @@ struct Near_linear_to_chord : Bca {
 
  private:
   template <class NT> [[nodiscard]] bool is_near_linear(const Chord_shape_2<NT>& f) const {
-    const Chord_angles_2<NT> g = chord_angles(f);
+    const Chord_angles_2<NT> g = f.angles();
     return absolute(g.bulge0) < NT(flatness) && absolute(g.bulge1) < NT(flatness);
   }
   // tan(alpha/2) of the widest arc over the chord through a control point on the curve's side, from the inscribed

@@ -84,7 +84,7 @@ struct Spiral_fat_arc {
   // second factor below with s the stretch. Its square s^2 sin^2 m - sin^2 delta is s^2 sin alpha0 times K_B, the
   // contact circle's at the flat end, since sin^2 m - sin^2 delta = sin alpha0 sin alpha1 and s^2 (a + sin alpha0) = a.
   template <class NT> [[nodiscard]] static NT segment_tilt(const Tight_frame_2<NT>& t, const NT& stretch) {
-    const NT run = t.cos_delta + stretch * t.cos_mean, rise = stretch * t.sin_tight * contact_flat(t);
+    const NT run = t.cos_delta + stretch * t.cos_mean, rise = stretch * t.sin_tight * t.contact_flat();
     // without sin delta it is larger, and bounded where rounding takes sin delta and the stretch
     return limited(NT(stretch * rise / ((stretch * t.sin_mean + t.sin_delta) * run)),
                    [&] { return NT(rise / (t.sin_mean * run)); });

@@ -118,19 +118,21 @@ template <class CK, class FT>
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
 /// The construction with its boundary over rational kernels, which needs the circular kernel's intersections.
 template <class Construction> struct With_algebraic_boundary : Construction {
   With_algebraic_boundary(const Construction& c = {}) : Construction(c) {}  // NOLINT: the same construction
   template <class CK, class FT>
   [[nodiscard]] Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) const {
     // the form is the one that the construction takes where there are square roots
-    const Chord_frame_2<Root_number> root_frame{{}, {}, convert_shape<Root_number>(frame.shape)};
+    const Chord_frame_2<Root_number> root_frame{{}, {}, frame.shape.template over<Root_number>()};
     if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC)
-      return internal::algebraic_spiral_fat_arc<CK>(frame);
+      return algebraic_spiral_fat_arc<CK>(frame);
     const Region_boundary_2<FT> b = Bca::boundary(frame);
     return {internal::kernel_chain<CK>(b.inner), internal::kernel_chain<CK>(b.outer)};
   }
 };
+}  // namespace internal
 
 /// Spiral fat arcs: regions between an arc with a segment and another segment with an arc. Over kernels without square
 /// roots joints are Circular_arc_point_2.
@@ -143,9 +145,11 @@ template <class Construction> struct With_algebraic_boundary : Construction {
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Spiral_fat_arc>
-class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>> {
+class Spiral_fat_arc_traits_2
+    : public Bounding_region_traits_2<CircularKernel, internal::With_algebraic_boundary<Construction>> {
  public:
-  using Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
+  using Bounding_region_traits_2<CircularKernel,
+                                 internal::With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
 };
 
 namespace internal {

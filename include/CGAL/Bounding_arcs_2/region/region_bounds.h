@@ -32,6 +32,7 @@ namespace CGAL::Bounding_arcs {
   return {i == 0 ? region.from : side.joint, i + 1 == side.size ? region.to : side.joint, side.bulges[i]};
 }
 
+namespace internal {
 /// 1 where the region turns left, -1 to the right: its outer side lies on the other side of the chord.
 [[nodiscard]] inline double turn_of(const Arc_region_2& region) {
   const bool is_right = region.outer.size == 1
@@ -39,8 +40,6 @@ namespace CGAL::Bounding_arcs {
                             : cross(Xy<double>(region.to - region.from), region.outer.joint - region.from) > 0;
   return is_right ? -1 : 1;
 }
-
-namespace internal {
 /// Whether both sides are one arc each.
 [[nodiscard]] inline bool is_fat_arc(const Arc_region_2& region) {
   return region.inner.size == 1 && region.outer.size == 1;
@@ -114,7 +113,7 @@ struct Region_rectangle {
   const Xy<double> ends = region.to - region.from;
   const double chord = euclidean_norm(ends);
   if (internal::is_fat_arc(region)) return distance_bounds(q, fat_arc(region));
-  const double turn = turn_of(region);
+  const double turn = internal::turn_of(region);
   const double inner = turn * signed_distance(q, region, region.inner),
                outer = turn * signed_distance(q, region, region.outer);
   const double nearer = (std::min)(std::fabs(inner), std::fabs(outer)),
@@ -175,7 +174,7 @@ struct Tangent_cone_2 {
   const auto room = [&](const Arc_2& arc) {
     return 8 * region.widening / euclidean_norm(arc.to - arc.from) + 16 * HALF_ULP;
   };
-  const double turn = turn_of(region), open = (std::max)(room(start), room(end));
+  const double turn = internal::turn_of(region), open = (std::max)(room(start), room(end));
   constexpr double MOST_OPEN = 0.25;
   if (!(open <= MOST_OPEN)) return std::nullopt;
   const double room_sine = 1.1 * open;  // the tangent of an angle up to MOST_OPEN is no larger

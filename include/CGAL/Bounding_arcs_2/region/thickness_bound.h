@@ -61,7 +61,7 @@ template <class Construction, class NT>
   using Interval = CGAL::Interval_nt<true>;
   const Interval all(0, std::numeric_limits<double>::infinity());
   try {
-    const Interval thickness = construction.thickness(convert_shape<Interval>(shape));
+    const Interval thickness = construction.thickness(shape.template over<Interval>());
     return CGAL::is_finite(thickness) && CGAL::is_valid(thickness) ? thickness : all;
   } catch (const CGAL::Uncertain_conversion_exception&) {
     return all;
@@ -75,7 +75,7 @@ template <class Construction, class Exact>
                                                                const Chord_shape_2<Exact>& shape, mpfr_prec_t bits) {
   try {
     return construction.thickness(
-        convert_shape<Mpfr_interval>(shape, [bits](const Exact& x) { return Mpfr_interval(x, bits); }));
+        shape.template over<Mpfr_interval>([bits](const Exact& x) { return Mpfr_interval(x, bits); }));
   } catch (const CGAL::Uncertain_conversion_exception&) {
     return std::nullopt;
   }
@@ -106,7 +106,7 @@ template <class Exact, class Construction>
     }
   }
   using Root = std::conditional_t<has_square_root_v<Exact>, Exact, Root_number>;
-  const Root thickness = construction.thickness(convert_shape<Root>(shape));
+  const Root thickness = construction.thickness(shape.template over<Root>());
   upper = (std::min)(upper, CGAL::to_interval(thickness).second);
   const bool within = !(Root(eps) < thickness);
   if (within) upper = (std::min)(upper, eps);
@@ -117,7 +117,7 @@ template <class Exact, class Construction>
 /// nowhere farther than that from the chord, and the inner one lies between.  With half-angle tangents up to b it is at
 /// most c b / (1 - b^2), and as a spiral turns by at most a right angle never more than c.
 inline double triangle_height(const Chord_shape_2<Bounded_double>& f) {
-  const Chord_angles_2<Bounded_double> g = chord_angles(f);
+  const Chord_angles_2<Bounded_double> g = f.angles();
   const Bounded_double b = larger(abs(g.bulge0), abs(g.bulge1)), c = g.chord * f.unit;
   const double height = certified_upper(c * b / (Bounded_double(1) - b * b)), chord = certified_upper(c);
   return b.upper() < 0.5 ? (std::min)(height, chord) : chord;

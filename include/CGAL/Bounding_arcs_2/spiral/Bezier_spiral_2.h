@@ -121,7 +121,7 @@ template <class NT> class Bezier_spiral_2 {
     using Curve = Tabulated_bezier<NT>;
     if constexpr (!std::is_same_v<T, typename Curve::Plain> && !std::is_same_v<T, Bounded_double> &&
                   !std::is_same_v<T, Double_double> && !std::is_same_v<T, Exact_number_type>)
-      return convert_shape<T>(shape<Exact_number_type>(t0, t1, parts));
+      return shape<Exact_number_type>(t0, t1, parts).template over<T>();
     else return shape_from_table<T>(t0, t1, parts);
   }
 
@@ -189,9 +189,10 @@ template <class NT>
 Chord_shape_2<double> Bezier_spiral_2<NT>::accurate_shape(double t0, double t1, const Shape_parts& parts) const {
   const auto f = shape<Double_double>(t0, t1, parts);
   if (is_accurate(f, parts.curvature))
-    return convert_shape<double>(in_range(f), [](const Double_double& x) { return x.hi; });
-  return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)),
-                               [](const Exact_number_type& x) { return to_double_double(x).hi; });
+    return in_range(f).template over<double>([](const Double_double& x) { return x.hi; });
+  return in_range(shape<Exact_number_type>(t0, t1, parts)).template over<double>([](const Exact_number_type& x) {
+    return to_double_double(x).hi;
+  });
 }
 
 template <class NT> bool Bezier_spiral_2<NT>::is_double_end(double t, double end) const {
@@ -312,12 +313,12 @@ void add_spiral_segments(const Bezier_curve_2<double>& curve, const Spiral_param
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
 /// \param place of the curve as a whole: its numbers, and what its ends are
 /// \guarantee no cut is missed: see spiral_parameters
-/// \throws std::invalid_argument for curves out of the range of check_served
+/// \throws std::invalid_argument for curves out of the range that is served (served_range.h)
 template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve,
                                                                const Segment_place& place = {}) {
   std::vector<Bezier_spiral_2<NT>> spirals;
-  check_served(curve);
+  internal::check_served(curve);
   internal::add_spiral_segments(curve, spiral_parameters(curve), place, spirals);
   return spirals;
 }
@@ -359,7 +360,7 @@ template <class NT>
     const Drawing_2<NT>& drawing, std::size_t first = 0, std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
   return internal::spirals_between(drawing, first, last, [&](std::size_t i, std::size_t j) {
     const Bezier_curve_2<NT>& piece = drawing.curves()[i].beziers[j];
-    check_served(piece);
+    internal::check_served(piece);
     return spiral_parameters(piece);
   });
 }

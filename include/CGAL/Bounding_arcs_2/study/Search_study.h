@@ -91,7 +91,7 @@ struct Search_report {
 };
 
 /// \param repeat how often times are taken
-/// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried, and where a drawing is
+/// \throws std::invalid_argument for curves out of the ranges of served_range.h, and where a drawing is
 ///   empty
 /// \guarantee brackets are certified for BCA; those of the other kinds are as far as their room for rounding is
 ///   (regions_in_hand.h)

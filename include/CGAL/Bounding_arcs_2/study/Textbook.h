@@ -192,9 +192,7 @@ struct Textbook_bca {
   template <class NT> [[nodiscard]] static NT thickness(const Chord_frame_2<NT>& frame) {
     return frame.shape.turns_one_way ? figures(frame).thickness : Bca::thickness(frame.shape);
   }
-  template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
-    return thickness(frame_at_origin(f));
-  }
+  template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) { return thickness(f.at_origin()); }
   template <class NT> [[nodiscard]] static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
     const Chord_shape_2<NT>& f = frame.shape;
     if (!f.turns_one_way) return Bca::boundary(frame);
@@ -231,9 +229,7 @@ template <class Method, class Stable> struct Textbook_osculating {
   template <class NT> [[nodiscard]] static NT thickness(const Chord_frame_2<NT>& frame) {
     return has_osculating_circles(frame.shape) ? Method::figures(frame).thickness : Textbook_bca::thickness(frame);
   }
-  template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
-    return thickness(frame_at_origin(f));
-  }
+  template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) { return thickness(f.at_origin()); }
   template <class NT> [[nodiscard]] static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
     if (!has_osculating_circles(frame.shape)) return Textbook_bca::boundary(frame);
     return Method::boundary_of(frame, textbook_ends(frame), Method::figures(frame));

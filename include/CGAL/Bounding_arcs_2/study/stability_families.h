@@ -36,7 +36,7 @@ struct Study_piece {
 /// for (double delta = 1; delta > 1e-9; delta /= 10)
 ///   add_placed(flat, "flat", delta, Bezier_curve_2<double>({{0, 0}, {1, delta}, {2, 3 * delta}}));
 /// \endcode
-/// \throws std::invalid_argument for curves out of the range of check_served
+/// \throws std::invalid_argument for curves out of the range that is served (served_range.h)
 void add_placed(std::vector<Study_piece>& pieces, const std::string& family, double delta,
                 const Bezier_curve_2<double>& curve);
 
@@ -44,7 +44,7 @@ void add_placed(std::vector<Study_piece>& pieces, const std::string& family, dou
 [[nodiscard]] Study_piece shortened(Study_piece piece, double share, double start = 1.0 / 3);
 
 /// Returns the spiral segment with all of [t0, t1], or nothing where the curve is cut within.
-/// \throws std::invalid_argument for curves out of the range of check_served
+/// \throws std::invalid_argument for curves out of the range that is served (served_range.h)
 [[nodiscard]] std::optional<Bezier_spiral_2<double>> spiral_holding(const Bezier_curve_2<double>& curve, double t0,
                                                                     double t1);
 

@@ -54,28 +54,7 @@ namespace internal {
 template <class NT> struct Jet_2 { Xy<NT> point, first, second; };
 /// A point and derivatives in doubles.
 using Curve_jet = Jet_2<double>;
-}  // namespace internal
 
-/// s p + t q.
-template <class NT> [[nodiscard]] Xy<NT> blend(const NT& s, const Xy<NT>& p, const NT& t, const Xy<NT>& q) {
-  return {NT(s * p.x + t * q.x), NT(s * p.y + t * q.y)};
-}
-namespace internal {
-/// The jet at t = 1 - s of a curve of degree n by the last three points of de Casteljau's scheme but two steps.
-template <class NT> [[nodiscard]] Jet_2<NT> last_steps(const Xy<NT>* b, const NT& s, const NT& t, double n) {
-  const Xy<NT> p = blend(s, b[0], t, b[1]), q = blend(s, b[1], t, b[2]);
-  return {blend(s, p, t, q), NT(n) * (q - p), NT(n * (n - 1)) * ((b[2] - b[1]) - (b[1] - b[0]))};
-}
-}  // namespace internal
-
-/// The jet at t of the cubic with control points p[0] to p[3].
-template <class NT> [[nodiscard]] internal::Jet_2<NT> cubic_jet(const Xy<NT>* p, const NT& t) {
-  const NT s = NT(1) - t;
-  const Xy<NT> b[3] = {blend(s, p[0], t, p[1]), blend(s, p[1], t, p[2]), blend(s, p[2], t, p[3])};
-  return internal::last_steps(b, s, t, 3);
-}
-
-namespace internal {
 /// Bounds of the distance of a jet's derivatives from the true ones.
 struct Jet_errors {
   double first, second;
@@ -85,6 +64,17 @@ struct Jet_errors {
 /// Evaluates a Bezier piece and two derivatives in doubles, with bounds of their errors that are known ahead.
 class Bezier_evaluator {
  public:
+  /// s p + t q.
+  template <class NT> [[nodiscard]] static Xy<NT> blend(const NT& s, const Xy<NT>& p, const NT& t, const Xy<NT>& q) {
+    return {NT(s * p.x + t * q.x), NT(s * p.y + t * q.y)};
+  }
+  /// The jet at t of the cubic with control points p[0] to p[3].
+  template <class NT> [[nodiscard]] static internal::Jet_2<NT> cubic_jet(const Xy<NT>* p, const NT& t) {
+    const NT s = NT(1) - t;
+    const Xy<NT> b[3] = {blend(s, p[0], t, p[1]), blend(s, p[1], t, p[2]), blend(s, p[2], t, p[3])};
+    return last_steps(b, s, t, 3);
+  }
+
   explicit Bezier_evaluator(const Bezier_curve_2<double>& curve)
       : curve_(curve), points_(curve.control_points().data()), degree_(static_cast<std::uint32_t>(curve.degree())),
         is_rational_(curve.is_rational()) {
@@ -149,6 +139,12 @@ class Bezier_evaluator {
   }
 
  private:
+  // The jet at t = 1 - s of a curve of degree n by the last three points of de Casteljau's scheme but two steps.
+  template <class NT>
+  [[nodiscard]] static internal::Jet_2<NT> last_steps(const Xy<NT>* b, const NT& s, const NT& t, double n) {
+    const Xy<NT> p = blend(s, b[0], t, b[1]), q = blend(s, b[1], t, b[2]);
+    return {blend(s, p, t, q), NT(n) * (q - p), NT(n * (n - 1)) * ((b[2] - b[1]) - (b[1] - b[0]))};
+  }
   // By differences of N about the first control point, where |C| <= D, with weights at least w:
   //   |C'| <= (|N'| + |W'| D) / w,  |C''| <= (|N''| + 2 |W'| |C'| + |W''| D) / w;  roundings are 2^-40 of the sums.
   [[nodiscard]] static double second_bound(const Bezier_curve_2<double>& curve, double least) {
@@ -184,7 +180,7 @@ class Bezier_evaluator {
     if (degree_ == 1) return {blend(s, b[0], t, b[1]), b[1] - b[0], {}};
     for (std::size_t k = degree_; k > 2; --k)
       for (std::size_t i = 0; i < k; ++i) b[i] = blend(s, b[i], t, b[i + 1]);
-    return internal::last_steps(b.data(), s, t, n);
+    return last_steps(b.data(), s, t, n);
   }
   // The weights of the scheme's last points: three, or two of a line.
   [[nodiscard]] boost::container::small_vector<double, 12> last_weights(double t) const {

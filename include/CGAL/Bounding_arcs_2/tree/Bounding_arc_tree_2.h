@@ -51,7 +51,7 @@ class Bounding_arc_tree_2 {
  public:
   /// Makes the tree of a drawing.
   /// \param decisions how questions are answered that doubles leave open
-  /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
+  /// \throws std::invalid_argument for curves out of the ranges of served_range.h
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
   explicit Bounding_arc_tree_2(Drawing_2<double> drawing, Decisions decisions = Decisions::EXACT)
       : Bounding_arc_tree_2(std::make_shared<const Drawing_2<double>>(std::move(drawing)), decisions) {}
@@ -64,7 +64,7 @@ class Bounding_arc_tree_2 {
   /// Takes curves over any other numbers that a rational number stands for exactly.
   template <class NT>
   explicit Bounding_arc_tree_2(const Drawing_2<NT>& drawing, Decisions decisions = Decisions::EXACT)
-      : Bounding_arc_tree_2(converted<Exact_rational>(drawing), decisions) {}
+      : Bounding_arc_tree_2(drawing.template over<Exact_rational>(), decisions) {}
   /// Makes a tree of one curve.
   template <class NT>
   explicit Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, Decisions decisions = Decisions::EXACT)
@@ -113,11 +113,11 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] CGAL::Bbox_2 box() const;
 
   /// 1 for a drawing whose largest coordinate is between 2^-40 and 2^41.
-  [[nodiscard]] const Unit& unit() const { return unit_; }
+  [[nodiscard]] const internal::Unit& unit() const { return unit_; }
   /// The segments in that unit, for the library's own.
   [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
   /// The segments in another unit. \complexity linear in their number, without a cut as a rule; none for the same unit
-  [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
+  [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const internal::Unit& unit) const;
 
  private:
   template <template <class> class Curve, class NT>
@@ -126,10 +126,11 @@ class Bounding_arc_tree_2 {
     drawing.add(curve);
     return drawing;
   }
-  [[nodiscard]] std::shared_ptr<Segment_hierarchy> made_in(const Unit& unit, const Drawing_2<Exact_rational>* exact,
+  [[nodiscard]] std::shared_ptr<Segment_hierarchy> made_in(const internal::Unit& unit,
+                                                           const Drawing_2<Exact_rational>* exact,
                                                            Decisions decisions) const;
 
-  Unit unit_;
+  internal::Unit unit_;
   std::shared_ptr<const Drawing_2<double>> given_;  // where the drawing is scaled
   std::shared_ptr<Segment_hierarchy> segments_;
 };

@@ -14,24 +14,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-// The registers that loops over many pieces run in.  The library has each loop for every set; the machine tells which
-// one is called.
-
-/// Registers that the filter runs in, NONE: every piece is bounded by itself. Results do not depend on it.
-enum class Instruction_set { NONE, BASE, AVX2, AVX512, BEST };
-
-/// Tells whether this machine has an instruction set.
-[[nodiscard]] inline bool is_available(Instruction_set set) {
-#ifdef __x86_64__
-  __builtin_cpu_init();
-  if (set == Instruction_set::AVX2) return __builtin_cpu_supports("avx2");
-  if (set == Instruction_set::AVX512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
-#endif
-  return set == Instruction_set::BASE;
-}
-
 /// How a build ended.
 enum class Build_status {
   COMPLETE,            ///< every leaf's thickness is at most eps
@@ -46,6 +28,22 @@ enum class Build_status {
 /// const Region_hierarchy_2 regions(tree, 1e-9, options);
 /// \endcode
 struct Build_options {
+  /// Registers that loops over many pieces run in, NONE: every piece is bounded by itself. Results do not depend on it.
+  /// The library has each loop for every set; the machine tells which one is called.
+  enum class Instruction_set { NONE, BASE, AVX2, AVX512, BEST };
+
+  /// Tells whether this machine has an instruction set.
+  [[nodiscard]] static bool is_available(Instruction_set set) {
+#ifdef __x86_64__
+    __builtin_cpu_init();
+    if (set == Instruction_set::AVX2) return __builtin_cpu_supports("avx2");
+    if (set == Instruction_set::AVX512)
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+#endif
+    return set == Instruction_set::BASE;
+  }
+
   /// Which nodes a segment's subtree has, and whether they are kept.
   enum class Nodes {
     STORED,    ///< pieces are halved at the parameter midpoint; a node is a bit, whether it is split

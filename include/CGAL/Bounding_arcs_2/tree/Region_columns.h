@@ -80,7 +80,8 @@ struct Region_columns {
 /// \complexity linear; over curves that batches serve (doc/batches.md) some nanoseconds a region, over others
 ///   microseconds
 template <class Tree>
-void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = Instruction_set::BEST) {
+void make_regions(const Tree& tree, Region_columns& to,
+                  Build_options::Instruction_set set = Build_options::Instruction_set::BEST) {
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are asked for one by one");
   if (tree.nodes() == Build_options::Nodes::LAZY)
     throw std::invalid_argument(expected("tree", "nodes that are kept", "lazy ones"));

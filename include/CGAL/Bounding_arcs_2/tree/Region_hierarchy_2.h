@@ -23,6 +23,7 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_boxes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Segment_regions.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/neighbours.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
 
@@ -110,7 +111,7 @@ class Region_hierarchy_2 {
   Region_hierarchy_2(std::vector<Spiral> spirals, double eps, const Build_options& options = {},
                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
       : traits_(traits), eps_(eps), options_(options),
-        decide_(traits, options.is_filtered ? options.instruction_set : Instruction_set::NONE) {
+        decide_(traits, options.is_filtered ? options.instruction_set : Build_options::Instruction_set::NONE) {
     check_above_zero("eps", eps);
     midpoints_ = internal::Midpoint_nodes(options_.keep_thickness);
     replace(0, 0, std::move(spirals), concurrency);
@@ -210,7 +211,7 @@ class Region_hierarchy_2 {
   void write_leaf_ends(std::size_t spiral, Leaf_room& room, double* ends) const {
     CGAL_precondition(nodes() != Build_options::Nodes::LAZY);
     if (options_.nodes == Build_options::Nodes::EQUALIZED) return leaves_.write_ends(spiral, ends);
-    midpoints_.write_ends(spiral, Spiral_grid(spirals_[spiral].first(), spirals_[spiral].last()), room, ends);
+    midpoints_.write_ends(spiral, internal::Spiral_grid(spirals_[spiral].first(), spirals_[spiral].last()), room, ends);
   }
   [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
   /// Counts the nodes above those of segments.
@@ -280,8 +281,23 @@ class Region_hierarchy_2 {
     CGAL_precondition(h.is_region);
     if (options_.nodes == Build_options::Nodes::EQUALIZED)
       return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
-    const Spiral_grid grid(spirals_[h.spiral].first(), spirals_[h.spiral].last());
+    const internal::Spiral_grid grid(spirals_[h.spiral].first(), spirals_[h.spiral].last());
     return {grid.parameter(h.level, h.place), grid.parameter(h.level, h.place + 1), h.spiral, h.is_leaf};
+  }
+  /// Where t of a region node's segment is on the drawing.
+  [[nodiscard]] Curve_place place_of(const Region_node& n, double t) const {
+    const Segment_place& p = spirals_[n.spiral].place();
+    return {p.curve, p.bezier, t};
+  }
+  /// The leaf that follows one along its curve, over the ends of segments and Bezier pieces; around a closed curve
+  /// without end.
+  /// \return nothing behind the last leaf of an open curve \pre h.is_leaf
+  [[nodiscard]] std::optional<Node_handle> next_leaf(const Node_handle& h) const {
+    return internal::next_leaf(*this, h);
+  }
+  /// The leaf before it, the other way round.
+  [[nodiscard]] std::optional<Node_handle> previous_leaf(const Node_handle& h) const {
+    return internal::previous_leaf(*this, h);
   }
   /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
   /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
@@ -340,12 +356,12 @@ class Region_hierarchy_2 {
   // Pieces at the last level may be leaves for want of room.
   [[nodiscard]] bool is_decided_within(const Node_handle& h, double eps) const {
     if (options_.nodes == Build_options::Nodes::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
-    return h.level < Spiral_grid(spirals_[h.spiral].first(), spirals_[h.spiral].last()).levels();
+    return h.level < internal::Spiral_grid(spirals_[h.spiral].first(), spirals_[h.spiral].last()).levels();
   }
   template <class Visit>
   void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, unsigned count, const Visit& visit) const {
     const Spiral& s = spirals_[spiral];
-    const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
+    const bool is_last = level == internal::Spiral_grid(s.first(), s.last()).levels();
     const unsigned thick = is_last ? 0 : decide_.are_thick(s, level, place, count, internal::reachable(eps_, s));
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
   }
@@ -379,11 +395,11 @@ class Region_hierarchy_2 {
       const std::lock_guard<std::mutex> lock(mutex);
       made.counts.add(counts);
     };
-    if constexpr (is_parallel_v<ConcurrencyTag>) {
+    if constexpr (internal::is_parallel_v<ConcurrencyTag>) {
       std::atomic<std::size_t> number{nodes.number_of_nodes()};
-      std::vector<Nodes> parts((count + RANGE_SIZE - 1) / RANGE_SIZE, empty);
-      for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
-        add(k * RANGE_SIZE, (std::min)((k + 1) * RANGE_SIZE, count), parts[k]);
+      std::vector<Nodes> parts((count + internal::RANGE_SIZE - 1) / internal::RANGE_SIZE, empty);
+      internal::for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
+        add(k * internal::RANGE_SIZE, (std::min)((k + 1) * internal::RANGE_SIZE, count), parts[k]);
         if ((number += parts[k].number_of_nodes()) > options_.max_nodes) is_over_limit = true;
       });
       if (!is_over_limit) nodes.template append_all<ConcurrencyTag>(parts);

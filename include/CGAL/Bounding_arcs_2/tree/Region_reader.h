@@ -31,7 +31,7 @@ template <class Tree> class Region_reader {
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are made by Tree::region");
 
  public:
-  explicit Region_reader(const Tree& tree, Instruction_set set = Instruction_set::BEST)
+  explicit Region_reader(const Tree& tree, Build_options::Instruction_set set = Build_options::Instruction_set::BEST)
       : tree_(&tree), segment_(internal::Region_source(tree.traits().construction(), tree.spirals(), set)) {
     rows_.first = {0, MOST + 1};
     rows_.widening.resize(1);

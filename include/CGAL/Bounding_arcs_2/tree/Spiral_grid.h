@@ -59,10 +59,6 @@ constexpr int MANTISSA_BITS = 52, EXPONENT_BIAS = 1023;
   return x;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
-
-namespace CGAL::Bounding_arcs {
-
 /// The parameters at which a spiral segment is halved: piece `place` of the 2^level equal ones.
 /// Invariant: a parameter is the same double on every level, and the ends are the segment's own.
 class Spiral_grid {
@@ -78,12 +74,12 @@ class Spiral_grid {
   /// rounding, and half-way points between them.
   [[nodiscard]] int levels() const {
     const double ulp = std::numeric_limits<double>::epsilon() * (std::max)(std::fabs(first_), std::fabs(last_));
-    return length_ >= 4 * ulp ? (std::min)(MAX_LEVEL, internal::exponent_of(length_ / ulp) - 1) : 0;
+    return length_ >= 4 * ulp ? (std::min)(MAX_LEVEL, exponent_of(length_ / ulp) - 1) : 0;
   }
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   /// The length of a level's pieces.
-  [[nodiscard]] double step(int level) const { return length_ * internal::halved(level); }
+  [[nodiscard]] double step(int level) const { return length_ * halved(level); }
   /// Where piece `place` of a level begins, and the one before it ends.
   [[nodiscard]] double parameter(int level, std::uint64_t place) const {
     return (std::min)(first_ + static_cast<double>(place) * step(level), last_);
@@ -93,6 +89,6 @@ class Spiral_grid {
   double first_, last_, length_;
 };
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 /// Whether a tag asks for several threads.
 template <class ConcurrencyTag>
@@ -44,14 +44,12 @@ template <class ConcurrencyTag, class Work> void for_each_index(std::size_t coun
 /// Items that ranges hold: a power of 2, enough work for a task, and few enough for all their data to stay in caches.
 inline constexpr std::size_t RANGE_SIZE = 64;
 
-namespace internal {
 /// Calls work(begin, end) for the ranges [0, RANGE_SIZE), [RANGE_SIZE, 2 RANGE_SIZE), ... up to count.
 template <class ConcurrencyTag, class Work> void for_each_range(std::size_t count, const Work& work) {
   for_each_index<ConcurrencyTag>((count + RANGE_SIZE - 1) / RANGE_SIZE,
                                  [&](std::size_t i) { work(i * RANGE_SIZE, (std::min)((i + 1) * RANGE_SIZE, count)); });
 }
-}  // namespace internal
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -69,7 +69,7 @@ template <class BoundThickness, class Spiral>
 [[nodiscard]] internal::Subdivision subdivide(const BoundThickness& bound, const Spiral& spiral, double eps,
                                               std::size_t limit, internal::Region_nodes& nodes,
                                               Decision_counts& counts) {
-  const Spiral_grid grid(spiral.first(), spiral.last());
+  const internal::Spiral_grid grid(spiral.first(), spiral.last());
   internal::Subdivision result;
   std::vector<std::uint64_t> places{0}, halves;
   for (int level = 0; !places.empty(); ++level) {

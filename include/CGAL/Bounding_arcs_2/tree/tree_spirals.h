@@ -38,12 +38,12 @@ template <class NT = double>
   const auto cuts = [&](std::size_t curve, std::size_t bezier) { return internal::cuts_of(tree, curve, bezier); };
   const bool are_rounded = internal::are_cuts_rounded(tree);
   if constexpr (!std::is_floating_point_v<NT>)
-    if (are_rounded) return spiral_segments(converted<NT>(tree.exact_drawing()), first, last);
+    if (are_rounded) return spiral_segments(tree.exact_drawing().over<NT>(), first, last);
   // numbers that scaling has rounded are cut elsewhere
   if (are_rounded && !internal::are_cuts_in_own_lengths(tree))
-    return spiral_segments(converted<NT>(tree.drawing()), first, last);
+    return spiral_segments(tree.drawing().over<NT>(), first, last);
   if constexpr (std::is_same_v<NT, double>) return internal::spirals_between(tree.drawing(), first, last, cuts);
-  else return internal::spirals_between(converted<NT>(tree.drawing()), first, last, cuts);
+  else return internal::spirals_between(tree.drawing().over<NT>(), first, last, cuts);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -59,10 +59,9 @@ struct Axis_verification {
   std::vector<Finding> findings;  ///< the first 100 of them
 
   [[nodiscard]] bool is_right() const { return faults == 0; }
+  /// Returns the fault's name in capitals.
+  [[nodiscard]] static const char* name_of(Fault fault);
 };
-
-/// The fault's name in capitals.
-[[nodiscard]] const char* name_of(Axis_verification::Fault fault);
 
 /// Checks an axis of closed curves that do not cross, or of all curves in a frame.
 ///

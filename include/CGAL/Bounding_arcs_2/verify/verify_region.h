@@ -122,7 +122,7 @@ template <class Construction, class Spiral>
       {}};
   if constexpr (!has_outline_v<Construction>)
     piece.outside = [&](double goal) {
-      const auto boundary = construction.boundary(frame_at_origin(spiral.accurate_shape(t0, t1, parts)));
+      const auto boundary = construction.boundary(spiral.accurate_shape(t0, t1, parts).at_origin());
       return outside_bound(spiral, t0, t1, boundary, goal, verify::Boundary_origin::PIECE);
     };
   return internal::prove_region(internal::Proven_construction(construction), piece, eps);

@@ -64,7 +64,7 @@ template <> inline constexpr Region_form FORM<Spiral_fat_arc_arcs> = Region_form
 /// The loops of one method by kinds of curves; null for kind 0, whose pieces are to be bounded one by one.
 struct Batch_functions {
   /// \pre set is not NONE
-  template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
+  template <class Method> [[nodiscard]] static Batch_functions of(Build_options::Instruction_set set) {
     return {function_for(set, [](auto isa) { return &batch_function<decltype(isa), Method>; }), &one_function<Method>,
             function_for(set, [](auto isa) { return &top_function<decltype(isa), Method>; })};
   }
@@ -77,7 +77,7 @@ struct Batch_functions {
 /// The loops that make arcs of a construction.
 struct Arc_functions {
   /// \pre set is not NONE
-  template <class Arcs> [[nodiscard]] static Arc_functions of(Instruction_set set) {
+  template <class Arcs> [[nodiscard]] static Arc_functions of(Build_options::Instruction_set set) {
     return {function_for(set, [](auto isa) { return &arc_function<decltype(isa), Arcs>; }),
             &few_function<Arcs>,
             function_for(set, [](auto isa) { return &lanes_function<decltype(isa), Arcs>; }),

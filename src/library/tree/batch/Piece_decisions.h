@@ -48,7 +48,7 @@ class Piece_decisions {
 
   /// Whether there are batches for the segment, without which nothing is to be decided here.
   [[nodiscard]] bool has_batches() const { return batch_ != nullptr; }
-  [[nodiscard]] const Spiral_grid& grid() const { return grid_; }
+  [[nodiscard]] const internal::Spiral_grid& grid() const { return grid_; }
   /// \pre has_batches()
   /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Batch_pieces& pieces, double eps, double* upper,
@@ -78,7 +78,7 @@ class Piece_decisions {
   }
 
   const Open_piece& bound_;
-  Spiral_grid grid_;
+  internal::Spiral_grid grid_;
   Batch_curve curve_;
   Batch_function batch_;
   Local_form<float> rough_;
@@ -135,10 +135,10 @@ class Look_ahead {
     Top_question question;
     if (are_kept) question.looseness = 0;
     const auto serves = [&](std::size_t i) {
-      return Spiral_grid(first[i].first(), first[i].last()).levels() >= TOP_LEVELS;
+      return internal::Spiral_grid(first[i].first(), first[i].last()).levels() >= TOP_LEVELS;
     };
     const auto set = [&](std::size_t lane, std::size_t i) {
-      const Spiral_grid grid(first[i].first(), first[i].last());
+      const internal::Spiral_grid grid(first[i].first(), first[i].last());
       question.first.of[lane] = grid.first();
       question.length.of[lane] = grid.step(0);
       question.last.of[lane] = grid.last();
@@ -167,8 +167,8 @@ class Look_ahead {
 
 /// Pieces place, ..., place + count - 1 of a level.
 /// \param are_kept whether their thickness is
-[[nodiscard]] inline Batch_pieces pieces_of(const Spiral_grid& grid, int level, std::uint64_t place, std::size_t count,
-                                            bool are_kept = false) {
+[[nodiscard]] inline Batch_pieces pieces_of(const internal::Spiral_grid& grid, int level, std::uint64_t place,
+                                            std::size_t count, bool are_kept = false) {
   return {count,
           nullptr,
           nullptr,
@@ -236,7 +236,7 @@ class Level_strategy {
   };
   struct Work {
     Piece_decisions& decide;
-    const Spiral_grid& grid;
+    const internal::Spiral_grid& grid;
     double eps;
     std::size_t limit;
     internal::Region_nodes& nodes;

@@ -79,7 +79,7 @@ inline void add_place(const Arranged_point& p, const Arranged_place& place) {
 /// A Bezier piece as arrangements see it.
 class Arranged_curve : public std::enable_shared_from_this<Arranged_curve> {
  public:
-  /// \throws std::invalid_argument for curves out of the range of check_served
+  /// \throws std::invalid_argument for curves out of the range that is served (served_range.h)
   Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t curve, std::size_t piece);
   ~Arranged_curve();
   Arranged_curve(const Arranged_curve&) = delete;

@@ -41,7 +41,7 @@ class Meetings_of_pairs {
 
 /// A common point of two parts of curves, or a part that they share.
 struct Arr_common_part {
-  std::optional<Arr_x_monotone_curve_2> part;
+  std::optional<Arr_curve_2::Part> part;
   Arr_point_2 point;          ///< if there is none
   unsigned multiplicity = 0;  ///< 0 where it is not known
 };
@@ -50,18 +50,18 @@ struct Arr_common_part {
 [[nodiscard]] Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q);
 
 /// \pre x of p is in the range of the curve
-[[nodiscard]] Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c);
+[[nodiscard]] Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_curve_2::Part& c);
 /// \pre both curves run through p, and to its right or left
-[[nodiscard]] Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_monotone_curve_2& d,
+[[nodiscard]] Comparison_result compare_y_beside(const Arr_curve_2::Part& c, const Arr_curve_2::Part& d,
                                                  const Arr_point_2& p, bool is_right, Meetings_of_pairs& meetings);
 /// \return in lexicographic order
-[[nodiscard]] std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c,
-                                                        const Arr_x_monotone_curve_2& d, Meetings_of_pairs& meetings);
+[[nodiscard]] std::vector<Arr_common_part> common_parts(const Arr_curve_2::Part& c, const Arr_curve_2::Part& d,
+                                                        Meetings_of_pairs& meetings);
 /// \pre the branch of the curve runs through p
-[[nodiscard]] Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p);
+[[nodiscard]] Bracket parameter_at(const Arr_curve_2::Part& c, const Arr_point_2& p);
 
 /// The parts that are monotone in x, or upright and monotone in y; none of a single point.
-[[nodiscard]] std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve);
+[[nodiscard]] std::vector<Arr_curve_2::Part> x_monotone_parts(const Arr_curve_2& curve);
 
 /// A part of a curve as a face has it to its left.
 struct Boundary_part {
@@ -72,7 +72,7 @@ struct Boundary_part {
 [[nodiscard]] Measure_bounds boundary_area(const std::vector<std::vector<Boundary_part>>& boundaries, double eps);
 
 /// A polyline along a curve, from left to right.
-[[nodiscard]] std::vector<Xy<double>> approximate_polyline(const Arr_x_monotone_curve_2& c, double error);
+[[nodiscard]] std::vector<Xy<double>> approximate_polyline(const Arr_curve_2::Part& c, double error);
 
 }  // namespace CGAL::Bounding_arcs::internal
 

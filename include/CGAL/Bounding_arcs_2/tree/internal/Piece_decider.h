@@ -79,7 +79,7 @@ template <class Traits, class Spiral> class Piece_decider {
 
  public:
   /// \param set NONE decides each piece by itself
-  Piece_decider(const Traits& traits, Instruction_set set)
+  Piece_decider(const Traits& traits, Build_options::Instruction_set set)
       : bound_(traits.bound_thickness_2_object()), measure_bound_(measure_bound(traits)), filter_(METHOD, set) {}
 
   /// Tells which segments subdivide is called for next: what is to be decided of them together.
@@ -101,7 +101,7 @@ template <class Traits, class Spiral> class Piece_decider {
     if constexpr (IS_DOUBLE)
       if (const auto thick = filter_.are_thick(spiral, level, place, count, eps, open_piece(spiral, bound_)))
         return *thick;
-    const Spiral_grid grid(spiral.first(), spiral.last());
+    const internal::Spiral_grid grid(spiral.first(), spiral.last());
     unsigned above = 0;
     for (unsigned i = 0; i < count; ++i) {
       const double t0 = grid.parameter(level, place + i), t1 = grid.parameter(level, place + i + 1);

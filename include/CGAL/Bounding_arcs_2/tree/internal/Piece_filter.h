@@ -28,7 +28,9 @@ namespace CGAL::Bounding_arcs {
 struct Bca;
 struct Bilens;
 struct Spiral_fat_arc;
+namespace internal {
 template <class Construction> struct With_algebraic_boundary;
+}  // namespace internal
 
 namespace filter {
 
@@ -40,7 +42,7 @@ template <> inline constexpr Method METHOD<Bca> = Method::BCA;
 template <> inline constexpr Method METHOD<Bilens> = Method::BILENS;
 template <> inline constexpr Method METHOD<Spiral_fat_arc> = Method::SPIRAL_FAT_ARC;
 template <class Construction>
-inline constexpr Method METHOD<With_algebraic_boundary<Construction>> = METHOD<Construction>;
+inline constexpr Method METHOD<internal::With_algebraic_boundary<Construction>> = METHOD<Construction>;
 #endif
 
 /// Whether segments keep a local curve.
@@ -58,7 +60,7 @@ class Piece_filter {
 
  public:
   /// \param set NONE leaves all pieces to others, as a method without batches does
-  Piece_filter(Method method, Instruction_set set);
+  Piece_filter(Method method, Build_options::Instruction_set set);
   Piece_filter(const Piece_filter& other) : Piece_filter(other.method_, other.set_) {}
   Piece_filter& operator=(const Piece_filter&) = delete;
   ~Piece_filter();
@@ -80,7 +82,7 @@ class Piece_filter {
  private:
   struct State;
   Method method_;
-  Instruction_set set_;
+  Build_options::Instruction_set set_;
   std::unique_ptr<State> state_;  // where there are batches
 };
 

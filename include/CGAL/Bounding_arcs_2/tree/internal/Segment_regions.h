@@ -52,7 +52,7 @@ struct Region_source {
   };
 
   filter::Method method = filter::Method::NONE;
-  Instruction_set set;
+  Build_options::Instruction_set set;
   bool has_joints;
   const std::vector<Bezier_spiral_2<double>>* served = nullptr;  ///< the segments, where batches serve them
   std::size_t size;
@@ -63,7 +63,8 @@ struct Region_source {
       region;
 
   template <class Construction, class Spiral>
-  Region_source(const Construction& construction, const std::vector<Spiral>& spirals, Instruction_set registers)
+  Region_source(const Construction& construction, const std::vector<Spiral>& spirals,
+                Build_options::Instruction_set registers)
       : set(registers), has_joints(!std::is_same_v<Construction, Bca>), size(spirals.size()),
         ends([&spirals](std::size_t i) {
           return Ends{spirals[i].first(), spirals[i].last()};
@@ -75,7 +76,7 @@ struct Region_source {
         }) {
     if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<double>>) {
       method = filter::METHOD<Construction>;
-      if (method != filter::Method::NONE && set != Instruction_set::NONE) served = &spirals;
+      if (method != filter::Method::NONE && set != Build_options::Instruction_set::NONE) served = &spirals;
     }
   }
 };
