@@ -156,6 +156,7 @@ template <class Check> void told_of(const Axis_case& of, const Check& check) {
 
 // The curves that an axis is of: those that were given, or these moved by no more than it tells.
 inline Axis_case moved_case(const Axis_case& drawn, const ba::Medial_axis_2& axis) {
+  if (!axis.bounds) return drawn;  // far from the origin, where parts are not kept
   Axis_case moved{axis.bounds->segments.drawing(), drawn.options};
   for (std::size_t c = 0; c < drawn.drawing.curves().size(); ++c)
     for (std::size_t b = 0; b < drawn.drawing.curves()[c].beziers.size(); ++b) {

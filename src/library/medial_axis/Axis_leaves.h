@@ -47,7 +47,9 @@ class Leaf_finder {
     Ring_leaves result;
     if (is_circle_within(ROUNDING, ends, result)) return result;
     add_all_maxima(ends, result);
-    if (result.leaves.size() < 2) {  // both of a slot may have its sides in their discs by a rounding
+    // arcs that have a center each, next to each other, and so no empty disc
+    const bool is_circle = result.leaves.empty() && is_circle_within(MOST, ends, result);
+    if (!is_circle && result.leaves.size() < 2) {  // both of a slot may have its sides in their discs by a rounding
       room_ = ROUNDING * boundary_.resolution();
       result = {};
       add_all_maxima(ends, result);
@@ -55,9 +57,9 @@ class Leaf_finder {
     }
     const Boundary_ring& of = boundary_.rings()[ring];
     for (std::uint32_t e = of.begin; e < of.end; ++e)
-      if (boundary_.element(e).is_before_tip() && is_smooth_joint(e)) result.moved = tip_height();
-    // arcs that have a center each, next to each other, and so no empty disc
-    if (result.leaves.empty() && !is_circle_within(MOST, ends, result)) add_maxima_of_ring(ends, result.leaves);
+      if (boundary_.element(e).is_before_tip() && is_smooth_joint(e))
+        result.moved = (std::max)(result.moved, tip_height());
+    if (!is_circle && result.leaves.empty()) add_maxima_of_ring(ends, result.leaves);
     return result;
   }
 
