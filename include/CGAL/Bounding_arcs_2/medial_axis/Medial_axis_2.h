@@ -150,8 +150,7 @@ struct Medial_axis_2 {
   std::vector<Xy<double>> unresolved;
   std::vector<std::uint32_t> left_out;  ///< curves that bound nothing, as the rule fills both of their sides
   Options options;                      ///< what it is of
-  /// The parts of curves that bound the regions. An axis that was read from a file, or is of a drawing far from the
-  /// origin, has none: they are found again.
+  /// Parts of curves that bound the regions. Axes from files, and far from the origin, have none: they are found again.
   std::shared_ptr<const Bounding_parts> bounds;
 
   /// How many edges end in each vertex; an edge that returns to its vertex counts twice.
