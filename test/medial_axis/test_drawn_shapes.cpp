@@ -7,6 +7,7 @@
 #include "axis_checks.h"
 #include "drawn_axis_checks.h"
 #include "drawn_shapes.h"
+#include "machine_parts.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
@@ -124,6 +125,26 @@ TEST(DrawnShapes, WithBulgesOfFewDigitsHaveALeafInEachCorner) {
       EXPECT_EQ(axis.vertices.size(), 6u) << radius << ' ' << bulge;
       EXPECT_TRUE(ba::verify_axis(drawing, axis).is_right()) << radius << ' ' << bulge;
     }
+}
+
+// The way round the hole ends where it begins: the last disc touches both.
+TEST(DrawnShapes, OfAWasherWhoseHoleIsOfArcsOfFewDecimalsAreVerified) {
+  for (const double scale : {1.0, 20.0, 0.001}) {
+    const auto disc = [&](double x, double radius, int arcs) {
+      Bulge_polyline line(0, 6);
+      for (int k = 0; k < arcs; ++k) {
+        const double angle = 6.283185307179586 * k / arcs;
+        line.add({scale * (x + radius * std::cos(angle)), scale * radius * std::sin(angle)},
+                 std::tan(1.5707963267948966 / arcs));
+      }
+      return line.beziers();
+    };
+    Drawing drawing = drawing_of(disc(0, 20, 2));
+    drawing.add(disc(3, 10, 4));
+    const ba::Medial_axis_2 axis = axis_of_case({drawing, {ba::Fill_rule::EVEN_ODD}}, 1e-3 * scale);
+    EXPECT_EQ(axis.status, ba::Medial_axis_2::Status::COMPLETE) << scale;
+    EXPECT_TRUE(ba::verify_axis(drawing, axis, {ba::Fill_rule::EVEN_ODD, false, {}}).is_right()) << scale;
+  }
 }
 
 // Joints that turn by some 1e-7 have two normals beside leaves; four arcs of one radius have a center each; and sides

@@ -68,14 +68,14 @@ class Axis_path {
           partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b, last.sample.radius),
           partner_of_ = i;
         const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_.place);
-        q = on(b_[j], partner_, k, j);
+        q = on(b_, j, partner_, k);
         gap_a = k >= j ? -1 : partner_.disc.gap(boundary_(q).point);
       }
       if (j > 0 && gap_a >= 0) {
         const Partner partner = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a, last.sample.radius);
         radius_b = partner.disc.radius;
         const std::size_t k = parts_.steps(parts_.arcs[arc_a_], partner.place);
-        p = on(a_[i], partner, k, i);
+        p = on(a_, i, partner, k);
         gap_b = k == i ? -1 : partner.disc.gap(boundary_(p).point);
       }
       // discs at ends of elements that turn to the left by little are in what is beyond, by as much on either side
@@ -176,11 +176,16 @@ class Axis_path {
     return {parts_.arcs[other].from, {boundary_(p).point, 0}};
   }
   // A partner, or the end of a piece that it is beyond. The disc touches that as well, where it is so by rounding
-  // alone.
-  [[nodiscard]] static Boundary_place on(const Piece& piece, const Partner& partner, std::size_t of,
-                                         std::size_t wanted) {
+  // alone. A ring's end is its start.
+  [[nodiscard]] Boundary_place on(const std::vector<Piece>& pieces, std::size_t wanted, const Partner& partner,
+                                  std::size_t of) const {
+    const Piece& piece = pieces[wanted];
     if (of == wanted) return {piece.element, std::clamp(partner.place.u, piece.u0, piece.u1)};
-    return {piece.element, of < wanted ? piece.u0 : piece.u1};
+    const Boundary_place first{piece.element, piece.u0}, last{piece.element, piece.u1};
+    const auto gap = [&](const Boundary_place& p) { return partner.disc.gap(boundary_(p).point); };
+    const bool is_ring = boundary_({pieces.front().element, pieces.front().u0}).point ==
+                         boundary_({pieces.back().element, pieces.back().u1}).point;
+    return (is_ring ? gap(first) <= gap(last) : of < wanted) ? first : last;
   }
 
   State state(const Boundary_place& a, const Boundary_place& b) const {
