@@ -56,7 +56,8 @@ namespace CGAL::Bounding_arcs::internal {
 [[nodiscard]] inline Medial_axis_2 moved_along(Medial_axis_2 axis, const Xy<double>& way, double size) {
   const double rounding = 2 * HALF_ULP * size;
   for (Medial_axis_2::Vertex& v : axis.vertices)
-    v.center = v.center + way, v.clearance = {v.clearance.lower - rounding, v.clearance.upper + rounding};
+    v.center = v.center + way,
+    v.clearance = {(std::max)(0.0, v.clearance.lower - rounding), v.clearance.upper + rounding};
   for (Medial_axis_2::Edge& e : axis.edges)
     for (Medial_axis_2::Sample& s : e.samples) s.center = s.center + way;
   for (Xy<double>& p : axis.unresolved) p = p + way;
